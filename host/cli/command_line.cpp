@@ -1,0 +1,156 @@
+#include "cli/command_line.h"
+
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <new>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "base/error.h"
+#include "cli/commands.h"
+#include "cli/exit_code.h"
+#include "cli/parse_values.h"
+
+namespace calotype {
+namespace {
+
+int fail(const std::string& message, ExitCode code) {
+    std::fprintf(stderr, "calotype: %s\n", message.c_str());
+    return code;
+}
+
+/// Runs `action`; every error ends here.
+int withExitCode(const std::function<int()>& action) {
+    try {
+        return action();
+    } catch (const UsageError& error) {
+        return fail(error.what(), kExitUsage);
+    } catch (const SceneError& error) {
+        return fail(error.what(), kExitScene);
+    } catch (const GpuError& error) {
+        return fail(error.what(), kExitDevice);
+    } catch (const Error& error) {
+        return fail(error.what(), kExitOther);
+    } catch (const std::bad_alloc&) {
+        return fail("this machine has not enough memory", kExitOther);
+    } catch (const std::exception& error) {
+        return fail(std::string("unexpected: ") + error.what(), kExitOther);
+    }
+}
+
+void addSceneOptions(CLI::App& command, SceneOptions& scene) {
+    command.add_option("scene", scene.path, "Scene file (JSON)")->required()->type_name("SCENE");
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--set",
+            [&scene](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts)
+                    scene.overrides.push_back(parseOverride(text));
+            },
+            "Change a value of the scene, e.g. /render/max_bounces=8; may be repeated")
+        ->type_name("/POINTER=VALUE")
+        ->expected(1)
+        ->take_all();
+}
+
+void addDeviceOptions(CLI::App& command, DeviceOptions& device) {
+    command
+        .add_option("--device", device.device,
+                    "Device by index or part of its name (else CALOTYPE_DEVICE, else the best)")
+        ->type_name("INDEX|NAME");
+    command.add_option("--threads", device.threads, "Threads of lavapipe (default: all cores)")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N");
+}
+
+/// An option whose text a function of parse_values.h turns into `target`.
+template <typename Target, typename Parse>
+CLI::Option* addParsed(CLI::App& command, const std::string& name, Target& target, Parse parse,
+                       const std::string& description, const std::string& type) {
+    return command
+        .add_option_function<std::string>(
+            name, [&target, parse](const std::string& text) { target = parse(text); }, description)
+        ->type_name(type);
+}
+
+void addRenderCommand(CLI::App& app, RenderOptions& options) {
+    CLI::App& command = *app.add_subcommand("render", "Render a scene to pictures");
+    addSceneOptions(command, options.scene);
+    command
+        .add_option("-o,--output", options.outputs,
+                    "Picture to write: .png (display), .exr or .pfm (linear); may be repeated")
+        ->required()
+        ->type_name("FILE")
+        ->expected(1)
+        ->take_all();
+    command.add_option("--spp", options.samplesPerPixel, "Samples per pixel")
+        ->check(CLI::Range(1u, 1u << 30))
+        ->type_name("N");
+    addParsed(command, "--size", options.size, parseSize, "Size of the picture", "WxH");
+    addParsed(command, "--crop", options.crop, parseCrop, "Render only this part", "X,Y,W,H");
+    command.add_option("--seed", options.seed, "Seed of the random numbers")->type_name("N");
+    command
+        .add_option("--max-bounces", options.maxBounces,
+                    "Scattering events along a path, at most; 0 shows emitters only")
+        ->check(CLI::Range(0u, 1u << 20))
+        ->type_name("N");
+    command
+        .add_option("--exposure", options.display.exposureStops,
+                    "Brighten PNGs by this many stops (factors of two)")
+        ->check(CLI::Range(-100.0f, 100.0f))
+        ->type_name("STOPS");
+    addParsed(command, "--tonemap", options.display.toneMap, parseToneMap,
+              "How PNGs treat bright light: " + std::string(kToneMapNames), "NAME");
+    addParsed(command, "--preview-every", options.previewInterval, parsePreviewInterval,
+              "Write the picture so far every N samples, or every so many seconds", "N|10s");
+    command
+        .add_option("--preview-file", options.previewFile,
+                    "Where previews go (default: the first output)")
+        ->type_name("FILE");
+    command.add_option("--stats", options.statsFile, "Write statistics as JSON")->type_name("FILE");
+    command.add_flag("-q,--quiet", options.quiet, "No progress, only warnings and errors")
+        ->multi_option_policy(CLI::MultiOptionPolicy::Throw);
+    addDeviceOptions(command, options.device);
+}
+
+int parseAndRun(int argc, char** argv) {
+    CLI::App app("Calotype: a headless path tracer on Vulkan compute.\n"
+                 "Exit codes: 0 done, 1 interrupted or an output that cannot be written, 2 wrong "
+                 "usage,\n3 bad scene or input file, 4 device or driver.",
+                 "calotype");
+    app.set_version_flag("--version", CALOTYPE_VERSION);
+    app.require_subcommand(1);
+    RenderOptions renderOptions;
+    InfoOptions infoOptions;
+    DeviceOptions devicesOptions;
+    addRenderCommand(app, renderOptions);
+    CLI::App& info = *app.add_subcommand(
+        "info", "Print what a scene holds and what it takes on the device");
+    addSceneOptions(info, infoOptions.scene);
+    addDeviceOptions(info, infoOptions.device);
+    CLI::App& devices = *app.add_subcommand("devices", "List devices and say which one is taken");
+    addDeviceOptions(devices, devicesOptions);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& success) { // --help, --version
+        return app.exit(success);
+    } catch (const CLI::ParseError& error) {
+        throw UsageError(std::string(error.what()) + " (see calotype --help)");
+    }
+    if (info.parsed())
+        return infoCommand(infoOptions);
+    if (devices.parsed())
+        return devicesCommand(devicesOptions);
+    return renderCommand(renderOptions);
+}
+
+} // namespace
+
+int runCommandLine(int argc, char** argv) {
+    return withExitCode([&] { return parseAndRun(argc, argv); });
+}
+
+} // namespace calotype

@@ -1,0 +1,33 @@
+#include "cli/device_session.h"
+
+#include <cstdlib>
+#include <string>
+
+#include "base/error.h"
+
+namespace calotype {
+
+Instance makeInstance(const DeviceOptions& options) {
+    if (options.threads > 0)
+        setenv("LP_NUM_THREADS", std::to_string(options.threads).c_str(), 1);
+    return Instance();
+}
+
+DeviceSession::DeviceSession(const DeviceOptions& options)
+    : instance_(makeInstance(options)), device_(instance_, options.device) {}
+
+void DeviceSession::throwOnValidationMessages() const {
+    const auto messages = instance_.validationMessages();
+    if (!messages.empty())
+        throw GpuError("the validation layers have " + std::to_string(messages.size()) +
+                       " messages, the first: " + messages.front());
+}
+
+void requireMemory(const Device& device, uint64_t bytes) {
+    if (bytes > device.memorySize())
+        throw GpuError("the scene and picture need about " + std::to_string(bytes >> 20) +
+                       " MiB on the device, and '" + device.info().name + "' has " +
+                       std::to_string(device.memorySize() >> 20) + " MiB");
+}
+
+} // namespace calotype

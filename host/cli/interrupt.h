@@ -1,0 +1,19 @@
+#pragma once
+
+#include "base/error.h"
+
+namespace calotype {
+
+/// Thrown where an interrupt ends work that has nothing to show yet.
+class Interrupted : public Error {
+public:
+    Interrupted() : Error("interrupted before the first sample; nothing was written") {}
+};
+
+/// From now on the first SIGINT or SIGTERM is only noted; a second one ends the program at once.
+void catchInterrupts();
+
+/// True once a signal came.
+bool isInterrupted();
+
+} // namespace calotype

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "film/display_transform.h"
+#include "render/render_settings.h"
+#include "scene/load.h"
+
+namespace calotype {
+
+/// Width and height in pixels.
+struct PictureSize {
+    uint32_t width = 0;
+    uint32_t height = 0;
+};
+
+/// When to write a preview: after so many samples, or so many seconds; 0 means never.
+struct PreviewInterval {
+    uint32_t samples = 0;
+    double seconds = 0.0;
+};
+
+struct DeviceOptions {
+    std::string device; ///< index or part of a name; empty: choose
+    uint32_t threads = 0; ///< of lavapipe; 0: as many as there are cores
+};
+
+struct SceneOptions {
+    std::string path;
+    std::vector<SceneOverride> overrides;
+};
+
+struct RenderOptions {
+    SceneOptions scene;
+    DeviceOptions device;
+    std::vector<std::string> outputs;
+    std::optional<uint32_t> samplesPerPixel;
+    std::optional<uint32_t> maxBounces;
+    std::optional<uint32_t> seed;
+    std::optional<PictureSize> size;
+    std::optional<Crop> crop;
+    DisplayTransform display;
+    PreviewInterval previewInterval;
+    std::string previewFile; ///< empty: the first output
+    std::string statsFile;   ///< empty: none
+    bool quiet = false;
+};
+
+struct InfoOptions {
+    SceneOptions scene;
+    DeviceOptions device;
+};
+
+} // namespace calotype

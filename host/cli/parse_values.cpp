@@ -1,0 +1,90 @@
+#include "cli/parse_values.h"
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "base/error.h"
+
+namespace calotype {
+namespace {
+
+constexpr uint32_t kMaxSide = 65535;
+
+template <typename T>
+std::optional<T> parseNumber(std::string_view text) {
+    T value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size())
+        return std::nullopt;
+    return value;
+}
+
+/// Whole numbers between separators, or nothing unless there are exactly `count`.
+std::optional<std::vector<uint32_t>> parseList(std::string_view text, char separator, size_t count) {
+    std::vector<uint32_t> numbers;
+    while (true) {
+        const size_t end = text.find(separator);
+        const auto number = parseNumber<uint32_t>(text.substr(0, end));
+        if (!number)
+            return std::nullopt;
+        numbers.push_back(*number);
+        if (end == std::string_view::npos)
+            break;
+        text.remove_prefix(end + 1);
+    }
+    if (numbers.size() != count)
+        return std::nullopt;
+    return numbers;
+}
+
+[[noreturn]] void fail(const std::string& option, const std::string& text,
+                       const std::string& expected) {
+    throw UsageError(option + " '" + text + "' is not " + expected);
+}
+
+} // namespace
+
+PictureSize parseSize(const std::string& text) {
+    const auto sides = parseList(text, 'x', 2);
+    if (!sides || (*sides)[0] < 1 || (*sides)[1] < 1 || (*sides)[0] > kMaxSide ||
+        (*sides)[1] > kMaxSide)
+        fail("--size", text, "WIDTHxHEIGHT in pixels from 1 to 65535, such as 640x480");
+    return {(*sides)[0], (*sides)[1]};
+}
+
+Crop parseCrop(const std::string& text) {
+    const auto numbers = parseList(text, ',', 4);
+    if (!numbers || (*numbers)[2] < 1 || (*numbers)[3] < 1)
+        fail("--crop", text, "X,Y,WIDTH,HEIGHT in pixels from the top left, such as 100,50,64,64");
+    return {(*numbers)[0], (*numbers)[1], (*numbers)[2], (*numbers)[3]};
+}
+
+PreviewInterval parsePreviewInterval(const std::string& text) {
+    if (text.ends_with('s')) {
+        const auto seconds = parseNumber<double>(std::string_view(text).substr(0, text.size() - 1));
+        if (seconds && *seconds > 0.0 && std::isfinite(*seconds))
+            return {0, *seconds};
+    } else if (const auto samples = parseNumber<uint32_t>(text); samples && *samples > 0) {
+        return {*samples, 0.0};
+    }
+    fail("--preview-every", text, "a number of samples such as 16, or of seconds such as 10s");
+}
+
+SceneOverride parseOverride(const std::string& text) {
+    const size_t equals = text.find('=');
+    if (text.empty() || text.front() != '/' || equals == std::string::npos)
+        fail("--set", text, "/POINTER=VALUE, such as /render/max_bounces=8");
+    return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+ToneMap parseToneMap(const std::string& text) {
+    const auto toneMap = toneMapFromName(text);
+    if (!toneMap)
+        fail("--tonemap", text, std::string(kToneMapNames));
+    return *toneMap;
+}
+
+} // namespace calotype

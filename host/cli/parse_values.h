@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "cli/options.h"
+
+namespace calotype {
+
+/// Each reads one value of the command line, and throws UsageError naming the option, the value and
+/// what is expected.
+PictureSize parseSize(const std::string& text);                ///< --size "640x480"
+Crop parseCrop(const std::string& text);                       ///< --crop "X,Y,W,H"
+PreviewInterval parsePreviewInterval(const std::string& text); ///< --preview-every "16" or "10s"
+SceneOverride parseOverride(const std::string& text);          ///< --set "/pointer=value"
+ToneMap parseToneMap(const std::string& text);                 ///< --tonemap
+
+} // namespace calotype

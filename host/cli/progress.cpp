@@ -1,0 +1,100 @@
+#include "cli/progress.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <unistd.h>
+
+namespace calotype {
+namespace {
+
+constexpr std::chrono::milliseconds kBarInterval(100);
+constexpr std::chrono::seconds kLineInterval(10);
+constexpr std::chrono::seconds kPatience(1); ///< before loading and building are worth a word
+
+std::string formatted(const char* format, double value) {
+    char text[64];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+std::string bar(double done) {
+    constexpr int kWidth = 24;
+    const int filled = static_cast<int>(std::floor(kWidth * std::clamp(done, 0.0, 1.0)));
+    return "[" + std::string(filled, '#') + std::string(kWidth - filled, '.') + "]";
+}
+
+} // namespace
+
+std::string withPrefix(double number) {
+    const char* prefixes[] = {"", " k", " M", " G", " T"};
+    size_t prefix = 0;
+    for (; number >= 999.5 && prefix + 1 < std::size(prefixes); ++prefix)
+        number /= 1000.0;
+    return formatted(number < 9.995 ? "%.2f" : number < 99.95 ? "%.1f" : "%.0f", number) +
+           prefixes[prefix];
+}
+
+std::string durationText(double seconds) {
+    if (seconds < 9.95)
+        return formatted("%.1f s", seconds);
+    const auto whole = static_cast<long>(std::lround(std::min(seconds, 1e9)));
+    if (whole < 60)
+        return std::to_string(whole) + " s";
+    char text[64];
+    if (whole < 3600)
+        std::snprintf(text, sizeof text, "%ld:%02ld", whole / 60, whole % 60);
+    else
+        std::snprintf(text, sizeof text, "%ld:%02ld:%02ld", whole / 3600, whole / 60 % 60, whole % 60);
+    return text;
+}
+
+Progress::Progress(bool quiet, uint64_t totalPaths, uint32_t samplesPerPixel)
+    : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0), totalPaths_(totalPaths),
+      samplesPerPixel_(samplesPerPixel) {}
+
+Progress::~Progress() { clear(); }
+
+bool Progress::isDue() {
+    const Clock::time_point now = Clock::now();
+    if (quiet_ || now - lastShown_ < (terminal_ ? Clock::duration(kBarInterval) : kLineInterval))
+        return false;
+    lastShown_ = now;
+    return true;
+}
+
+void Progress::show(double done, const std::string& text) {
+    const int percent = static_cast<int>(100.0 * std::clamp(done, 0.0, 1.0));
+    if (terminal_)
+        std::fprintf(stderr, "\r\033[K%s %3d %%  %s", bar(done).c_str(), percent, text.c_str());
+    else
+        std::fprintf(stderr, "%3d %%  %s\n", percent, text.c_str());
+    std::fflush(stderr);
+    barShown_ = terminal_;
+}
+
+void Progress::step(const std::string& what, double done) {
+    if (Clock::now() - start_ > kPatience && isDue())
+        show(done, what);
+}
+
+void Progress::rendering(const RenderTotals& totals) {
+    if (!isDue())
+        return;
+    const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
+    const auto paths = static_cast<double>(totals.paths);
+    const double done = paths / static_cast<double>(totalPaths_);
+    const double left = paths > 0.0 ? elapsed * (1.0 - done) / done : 0.0;
+    show(done, std::to_string(totals.samplesPerPixel) + "/" + std::to_string(samplesPerPixel_) +
+                   " spp  " + withPrefix(paths / totals.seconds) + " samples/s  " +
+                   withPrefix(static_cast<double>(totals.rays) / totals.seconds) + " rays/s  " +
+                   durationText(elapsed) + " elapsed, " + durationText(left) + " left");
+}
+
+void Progress::clear() {
+    if (barShown_)
+        std::fprintf(stderr, "\r\033[K");
+    barShown_ = false;
+}
+
+} // namespace calotype

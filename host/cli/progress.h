@@ -1,0 +1,51 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+#include "render/render_session.h"
+
+namespace calotype {
+
+/// Tells on standard error how far the work is: on a terminal as a bar that is drawn over, elsewhere
+/// as a line now and then. Silent if `quiet`.
+class Progress {
+public:
+    Progress(bool quiet, uint64_t totalPaths, uint32_t samplesPerPixel);
+    explicit Progress(bool quiet) : Progress(quiet, 0, 0) {}
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    /// Loading and building: `done` in [0, 1]. Shown only once the program has run for a second.
+    void step(const std::string& what, double done);
+
+    void rendering(const RenderTotals& totals);
+
+    /// Removes the bar, so that a message can follow.
+    void clear();
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    /// True when it is time to show something again.
+    bool isDue();
+    void show(double done, const std::string& text);
+
+    bool quiet_;
+    bool terminal_;
+    bool barShown_ = false;
+    uint64_t totalPaths_;
+    uint32_t samplesPerPixel_;
+    Clock::time_point start_ = Clock::now();
+    Clock::time_point lastShown_ = Clock::now();
+};
+
+/// "1.25 M", "830", "12.1 k": three digits and a prefix.
+std::string withPrefix(double number);
+
+/// "0.8 s", "12 s", "3:05" or "2:04:10".
+std::string durationText(double seconds);
+
+} // namespace calotype

@@ -1,0 +1,233 @@
+#include "cli/commands.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <set>
+
+#include "accel/median_split.h"
+#include "base/atomic_file.h"
+#include "base/error.h"
+#include "cli/device_session.h"
+#include "cli/exit_code.h"
+#include "cli/interrupt.h"
+#include "cli/progress.h"
+#include "cli/statistics.h"
+#include "film/write_image.h"
+#include "image/image_format.h"
+#include "pack/gpu_scene.h"
+#include "render/render_session.h"
+#include "render/scene_buffers.h"
+#include "scene/load.h"
+
+namespace calotype {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Runs `stage` and stores how long it took.
+template <typename Stage>
+auto timed(double& seconds, Stage&& stage) {
+    const Clock::time_point start = Clock::now();
+    auto result = stage();
+    seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    return result;
+}
+
+void throwIfInterrupted() {
+    if (isInterrupted())
+        throw Interrupted();
+}
+
+/// Everything that could keep a result from being written is known before rendering starts.
+void checkOutputs(const RenderOptions& options) {
+    std::set<std::string> seen;
+    for (const std::string& path : options.outputs) {
+        if (!imageFormatOf(path))
+            throw UsageError("the output '" + path + "' has no known extension; use " +
+                             std::string(kImageExtensions));
+        if (!seen.insert(path).second)
+            throw UsageError("the output '" + path + "' is given twice");
+        checkWritable(path);
+    }
+    if (!options.previewFile.empty()) {
+        if (!imageFormatOf(options.previewFile))
+            throw UsageError("the preview file '" + options.previewFile +
+                             "' has no known extension; use " + std::string(kImageExtensions));
+        checkWritable(options.previewFile);
+    }
+    if (!options.statsFile.empty())
+        checkWritable(options.statsFile);
+}
+
+RenderSettings makeSettings(const RenderOptions& options, const Scene& scene) {
+    RenderSettings settings;
+    settings.width = options.size ? options.size->width : scene.film.width;
+    settings.height = options.size ? options.size->height : scene.film.height;
+    settings.crop = options.crop.value_or(Crop{0, 0, settings.width, settings.height});
+    const Crop& crop = settings.crop;
+    if (crop.x >= settings.width || crop.width > settings.width - crop.x ||
+        crop.y >= settings.height || crop.height > settings.height - crop.y)
+        throw UsageError("--crop reaches beyond the picture of " + std::to_string(settings.width) +
+                         "x" + std::to_string(settings.height) + " pixels");
+    settings.samplesPerPixel = options.samplesPerPixel.value_or(scene.render.samplesPerPixel);
+    settings.maxBounces = options.maxBounces.value_or(scene.render.maxBounces);
+    settings.seed = options.seed.value_or(scene.render.seed);
+    return settings;
+}
+
+/// One `calotype render`, stage by stage.
+class RenderRun {
+public:
+    explicit RenderRun(const RenderOptions& options) : options_(options) {}
+
+    int run() {
+        checkOutputs(options_);
+        Progress preparation(options_.quiet);
+        const Scene scene = timed(seconds_.load, [&] { return load(preparation); });
+        preparation.clear();
+        for (const std::string& warning : scene.warnings)
+            std::fprintf(stderr, "calotype: warning: %s\n", warning.c_str());
+        settings_ = makeSettings(options_, scene);
+        sceneHash_ = scene.hash;
+        // The device comes first: without one, building would be in vain.
+        const DeviceSession deviceSession(options_.device);
+        const Device& device = deviceSession.device();
+        const GpuScene packed = timed(seconds_.build, [&] { return build(scene, preparation); });
+        deviceBytes_ = packed.bytes() + pathTracerBytes(settings_);
+        requireMemory(device, deviceBytes_);
+        preparation.clear();
+        const SceneBuffers buffers =
+            timed(seconds_.upload, [&] { return SceneBuffers(device, packed); });
+        PathTracer tracer = timed(seconds_.compile, [&] {
+            return PathTracer(device, packed, buffers, packed.features, settings_);
+        });
+        throwIfInterrupted();
+        const double prepared = std::chrono::duration<double>(Clock::now() - start_).count();
+        RenderSession session(tracer, settings_, packed.maxRadiance);
+        const bool complete = render(session);
+        totals_ = session.totals();
+        seconds_.render = totals_.seconds;
+        seconds_.firstSample = prepared + totals_.firstSampleSeconds;
+        timed(seconds_.write, [&] { return writeOutputs(session.picture()); });
+        if (!options_.statsFile.empty())
+            writeFileAtomically(options_.statsFile, toJson({device.info(), settings_, totals_,
+                                                            seconds_, deviceBytes_, sceneHash_}));
+        deviceSession.throwOnValidationMessages();
+        report(complete);
+        return complete ? kExitDone : kExitOther;
+    }
+
+private:
+    Scene load(Progress& progress) {
+        LoadOptions loadOptions;
+        loadOptions.overrides = options_.scene.overrides;
+        loadOptions.onProgress = [&](const std::string& what, double done) {
+            throwIfInterrupted();
+            progress.step("loading " + what, done);
+        };
+        Scene scene = loadScene(options_.scene.path, loadOptions);
+        throwIfInterrupted();
+        return scene;
+    }
+
+    GpuScene build(const Scene& scene, Progress& progress) {
+        const glm::dvec3 origin = packingOrigin(scene);
+        const std::vector<Primitive> primitives = collectPrimitives(scene, origin);
+        const Bvh bvh = buildMedianSplit(primitives, [&](double done) {
+            throwIfInterrupted();
+            progress.step("building the BVH", done);
+        });
+        return packScene(scene, primitives, bvh, origin,
+                         static_cast<double>(settings_.width) / settings_.height);
+    }
+
+    bool render(RenderSession& session) {
+        const uint64_t pixels = uint64_t{settings_.crop.width} * settings_.crop.height;
+        Progress progress(options_.quiet, pixels * settings_.samplesPerPixel,
+                          settings_.samplesPerPixel);
+        const PreviewInterval& interval = options_.previewInterval;
+        Clock::time_point lastPreview = Clock::now();
+        RenderObserver observer;
+        observer.shouldStop = isInterrupted;
+        observer.onDispatch = [&](const RenderTotals& totals) {
+            progress.rendering(totals);
+            const double sincePreview =
+                std::chrono::duration<double>(Clock::now() - lastPreview).count();
+            if (interval.seconds > 0.0 && sincePreview >= interval.seconds) {
+                writePreview(session);
+                lastPreview = Clock::now();
+            }
+        };
+        observer.onPass = [&](const RenderTotals& totals) {
+            if (interval.samples > 0 && totals.samplesPerPixel % interval.samples == 0)
+                writePreview(session);
+        };
+        return session.run(observer, interval.samples);
+    }
+
+    void writePreview(RenderSession& session) {
+        totals_ = session.totals();
+        write(options_.previewFile.empty() ? options_.outputs.front() : options_.previewFile,
+              session.picture());
+    }
+
+    bool writeOutputs(const Image& picture) {
+        for (const std::string& path : options_.outputs)
+            write(path, picture);
+        return true;
+    }
+
+    void write(const std::string& path, const Image& picture) const {
+        ExrMetadata metadata;
+        metadata.version = CALOTYPE_VERSION;
+        metadata.sceneHash = sceneHash_;
+        metadata.seed = settings_.seed;
+        metadata.samplesPerPixel = totals_.samplesPerPixel;
+        metadata.seconds = totals_.seconds;
+        const Crop& crop = settings_.crop;
+        metadata.crop = CropPlacement{crop.x, crop.y, settings_.width, settings_.height};
+        writeImage(path, picture, options_.display, metadata);
+    }
+
+    void report(bool complete) const {
+        const auto warn = [](uint64_t count, const char* text) {
+            if (count > 0)
+                std::fprintf(stderr, "calotype: warning: %llu %s\n",
+                             static_cast<unsigned long long>(count), text);
+        };
+        warn(totals_.nonFiniteSamples, "samples were not finite and count as black");
+        warn(totals_.cutPaths, "paths were cut short by the device's loop limit, so the picture is "
+                               "too dark; lower --max-bounces");
+        warn(totals_.overflowedPixels, "blocks of samples were too bright for the film and count "
+                                       "as black");
+        const std::string samples = std::to_string(totals_.samplesPerPixel) + " of " +
+                                    std::to_string(settings_.samplesPerPixel) + " samples per pixel";
+        if (!complete)
+            std::fprintf(stderr, "calotype: interrupted after %s; the picture so far is in %s\n",
+                         samples.c_str(), options_.outputs.front().c_str());
+        else if (!options_.quiet)
+            std::fprintf(stderr, "%s: %s in %s, %s samples/s, %s rays/s\n",
+                         options_.outputs.front().c_str(), samples.c_str(),
+                         durationText(totals_.seconds).c_str(),
+                         withPrefix(static_cast<double>(totals_.paths) / totals_.seconds).c_str(),
+                         withPrefix(static_cast<double>(totals_.rays) / totals_.seconds).c_str());
+    }
+
+    const RenderOptions& options_;
+    const Clock::time_point start_ = Clock::now();
+    RenderSettings settings_;
+    RenderTotals totals_;
+    StageSeconds seconds_;
+    uint64_t sceneHash_ = 0;
+    uint64_t deviceBytes_ = 0;
+};
+
+} // namespace
+
+int renderCommand(const RenderOptions& options) {
+    catchInterrupts();
+    return RenderRun(options).run();
+}
+
+} // namespace calotype

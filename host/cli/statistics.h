@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "cli/options.h"
+#include "gpu/device_list.h"
+#include "render/render_session.h"
+
+namespace calotype {
+
+/// Wall-clock seconds of each stage of a render.
+struct StageSeconds {
+    double load = 0.0;
+    double build = 0.0;       ///< of the BVH, and packing
+    double upload = 0.0;
+    double compile = 0.0;
+    double firstSample = 0.0; ///< from the start of the program until every pixel had one sample
+    double render = 0.0;      ///< sampling alone
+    double write = 0.0;
+};
+
+/// What --stats writes.
+struct RenderStatistics {
+    DeviceInfo device;
+    RenderSettings settings;
+    RenderTotals totals;
+    StageSeconds seconds;
+    uint64_t deviceBytes = 0;
+    uint64_t sceneHash = 0;
+};
+
+/// As JSON, with the process's peak memory.
+std::string toJson(const RenderStatistics& statistics);
+
+} // namespace calotype

@@ -1,0 +1,38 @@
+#include "film/display_transform.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "image/srgb.h"
+
+namespace calotype {
+namespace {
+
+/// White under every tone map, and far enough from the largest float for their arithmetic.
+constexpr float kBrightest = 1e20f;
+
+float expose(float radiance, float gain) {
+    return std::isfinite(radiance) && radiance > 0.0f ? std::min(radiance * gain, kBrightest)
+                                                      : 0.0f;
+}
+
+uint8_t quantise(float unit) {
+    return static_cast<uint8_t>(255.0f * srgbFromLinear(unit) + 0.5f);
+}
+
+} // namespace
+
+Rgb8Image toDisplay(const Image& image, const DisplayTransform& transform) {
+    const float gain = std::exp2(transform.exposureStops);
+    Rgb8Image shown(image.width, image.height);
+    for (size_t i = 0; i < image.pixels.size(); ++i) {
+        const glm::vec3& pixel = image.pixels[i];
+        const glm::vec3 exposed(expose(pixel.r, gain), expose(pixel.g, gain),
+                                expose(pixel.b, gain));
+        const glm::vec3 mapped = applyToneMap(transform.toneMap, exposed);
+        shown.pixels[i] = {quantise(mapped.r), quantise(mapped.g), quantise(mapped.b)};
+    }
+    return shown;
+}
+
+} // namespace calotype

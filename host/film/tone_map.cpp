@@ -1,0 +1,67 @@
+#include "film/tone_map.h"
+
+#include <glm/common.hpp>
+
+namespace calotype {
+namespace {
+
+float minChannel(const glm::vec3& c) {
+    return glm::min(c.r, glm::min(c.g, c.b));
+}
+float maxChannel(const glm::vec3& c) {
+    return glm::max(c.r, glm::max(c.g, c.b));
+}
+
+/// With x the smallest channel, p the largest after the toe, s = 0.76 and d = 1 - s:
+///   toe:      c -= x - 6.25 x^2 for x < 0.08, else 0.04   (undoes the Fresnel reflection, F0 =
+///   0.04) shoulder: for p >= s: n = 1 - d^2 / (p + d - s), c *= n / p, so p goes to n, which nears
+///   1 bleach:   c is mixed with white n by 1 - 1 / (0.15 (p - n) + 1)
+/// Source: Khronos PBR Neutral Tone Mapper specification, 2024
+/// (github.com/KhronosGroup/ToneMapping, PBR_Neutral).
+glm::vec3 neutral(glm::vec3 color) {
+    constexpr float kShoulder = 0.8f - 0.04f;
+    constexpr float kRange = 1.0f - kShoulder;
+    constexpr float kDesaturation = 0.15f;
+
+    const float x = minChannel(color);
+    color -= glm::vec3(x < 0.08f ? x - 6.25f * x * x : 0.04f);
+    const float peak = maxChannel(color);
+    if (peak < kShoulder)
+        return color;
+    const float newPeak = 1.0f - kRange * kRange / (peak + kRange - kShoulder);
+    const float bleach = 1.0f - 1.0f / (kDesaturation * (peak - newPeak) + 1.0f);
+    return glm::mix(color * (newPeak / peak), glm::vec3(newPeak), bleach);
+}
+
+/// Reinhard, Stark, Shirley, Ferwerda 2002, eq. 3, on the largest channel instead of luminance.
+glm::vec3 reinhard(const glm::vec3& color) {
+    return color / (1.0f + maxChannel(color));
+}
+
+} // namespace
+
+std::optional<ToneMap> toneMapFromName(std::string_view name) {
+    if (name == "none")
+        return ToneMap::None;
+    if (name == "neutral")
+        return ToneMap::Neutral;
+    if (name == "reinhard")
+        return ToneMap::Reinhard;
+    return std::nullopt;
+}
+
+glm::vec3 applyToneMap(ToneMap toneMap, glm::vec3 color) {
+    switch (toneMap) {
+    case ToneMap::None:
+        break;
+    case ToneMap::Neutral:
+        color = neutral(color);
+        break;
+    case ToneMap::Reinhard:
+        color = reinhard(color);
+        break;
+    }
+    return glm::clamp(color, glm::vec3(0.0f), glm::vec3(1.0f));
+}
+
+} // namespace calotype

@@ -1,0 +1,70 @@
+#include "gpu/buffer.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace calotype {
+namespace {
+
+constexpr size_t kBytesPerRow = 16;
+
+std::span<const std::byte> checkRows(const Device& device, std::span<const std::byte> contents,
+                                     const std::string& name) {
+    const uint64_t rows = contents.size() / kBytesPerRow;
+    const uint64_t limit = device.limits().maxTexelBufferElements;
+    if (rows > limit)
+        throw GpuError("the scene's " + name + " take " + std::to_string(contents.size() >> 20) +
+                       " MiB, and '" + device.info().name + "' can address " +
+                       std::to_string((limit * kBytesPerRow) >> 20) + " MiB in one buffer");
+    return contents;
+}
+
+} // namespace
+
+Buffer::Buffer(const Device& device, size_t bytes, vk::BufferUsageFlags usage, Memory memory,
+               const std::string& name)
+    : bytes_(bytes) {
+    callVulkan([&] {
+        buffer_ = device.handle().createBuffer({{}, bytes, usage});
+        device.setName(buffer_, name);
+        const auto requirements = buffer_.getMemoryRequirements();
+        using Flag = vk::MemoryPropertyFlagBits;
+        const vk::MemoryPropertyFlags wanted =
+            memory == Memory::Host ? Flag::eHostVisible | Flag::eHostCoherent : Flag::eDeviceLocal;
+        memory_ = device.handle().allocateMemory(
+            {requirements.size, device.memoryType(requirements.memoryTypeBits, wanted)});
+        buffer_.bindMemory(*memory_, 0);
+        if (memory == Memory::Host)
+            mapped_ = memory_.mapMemory(0, VK_WHOLE_SIZE);
+    });
+}
+
+Buffer uploadBuffer(const Device& device, std::span<const std::byte> contents,
+                    vk::BufferUsageFlags usage, const std::string& name) {
+    using Usage = vk::BufferUsageFlagBits;
+    Buffer buffer(device, contents.size(), usage | Usage::eTransferDst, Buffer::Memory::Device, name);
+    constexpr size_t kStagingBytes = size_t{64} << 20;
+    const Buffer staging(device, std::min(contents.size(), kStagingBytes), Usage::eTransferSrc,
+                         Buffer::Memory::Host, "staging for " + name);
+    for (size_t offset = 0; offset < contents.size(); offset += staging.bytes()) {
+        const size_t bytes = std::min(staging.bytes(), contents.size() - offset);
+        std::memcpy(staging.mapped<std::byte>().data(), contents.data() + offset, bytes);
+        device.submitAndWait([&](const vk::raii::CommandBuffer& commands) {
+            commands.copyBuffer(staging.handle(), buffer.handle(), vk::BufferCopy(0, offset, bytes));
+        });
+    }
+    return buffer;
+}
+
+TexelBuffer::TexelBuffer(const Device& device, std::span<const std::byte> contents,
+                         const std::string& name)
+    : buffer_(uploadBuffer(device, checkRows(device, contents, name),
+                           vk::BufferUsageFlagBits::eUniformTexelBuffer, name)) {
+    callVulkan([&] {
+        view_ = device.handle().createBufferView(
+            {{}, buffer_.handle(), vk::Format::eR32G32B32A32Uint, 0, VK_WHOLE_SIZE});
+        device.setName(view_, name);
+    });
+}
+
+} // namespace calotype

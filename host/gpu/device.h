@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "gpu/device_list.h"
+#include "gpu/instance.h"
+#include "gpu/vulkan.h"
+
+namespace calotype {
+
+/// A logical device with one compute queue, used by one thread at a time.
+class Device {
+public:
+    /// Throws GpuError where chooseDevice does, or where the driver fails.
+    Device(const Instance& instance, std::string_view wish);
+
+    const vk::raii::Device& handle() const { return device_; }
+    const DeviceInfo& info() const { return info_; }
+    const DeviceChoice& choice() const { return choice_; }
+    const vk::PhysicalDeviceLimits& limits() const { return limits_; }
+
+    /// Bytes of the largest heap on the device.
+    uint64_t memorySize() const;
+
+    /// Index of a memory type among `allowed` (a bit mask) with all of `wanted`. Throws GpuError.
+    uint32_t memoryType(uint32_t allowed, vk::MemoryPropertyFlags wanted) const;
+
+    /// Records commands, submits them and waits until they are done.
+    void submitAndWait(const std::function<void(const vk::raii::CommandBuffer&)>& record) const;
+
+    /// Gives an object the name that validation messages and debuggers show.
+    template <typename Object>
+    void setName(const Object& object, const std::string& name) const {
+        if (namesObjects_)
+            device_.setDebugUtilsObjectNameEXT(vk::DebugUtilsObjectNameInfoEXT(
+                Object::objectType, uint64_t(static_cast<typename Object::CType>(*object)),
+                name.c_str()));
+    }
+
+private:
+    DeviceInfo info_;
+    DeviceChoice choice_;
+    bool namesObjects_ = false;
+    vk::PhysicalDeviceLimits limits_;
+    vk::PhysicalDeviceMemoryProperties memory_;
+    vk::raii::Device device_ = nullptr;
+    vk::raii::Queue queue_ = nullptr;
+    vk::raii::CommandPool commandPool_ = nullptr;
+    vk::raii::CommandBuffer commandBuffer_ = nullptr;
+    vk::raii::Fence fence_ = nullptr;
+};
+
+} // namespace calotype

@@ -1,0 +1,62 @@
+#include "gpu/instance.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+
+namespace calotype {
+namespace {
+
+constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
+
+bool validationRequested() {
+    const char* value = std::getenv("CALOTYPE_VALIDATION");
+    return value && std::strcmp(value, "0") != 0 && *value;
+}
+
+void requireValidationLayer(const vk::raii::Context& context) {
+    const auto layers = context.enumerateInstanceLayerProperties();
+    if (std::none_of(layers.begin(), layers.end(), [](const vk::LayerProperties& layer) {
+            return std::strcmp(layer.layerName, kValidationLayer) == 0;
+        }))
+        throw GpuError("CALOTYPE_VALIDATION is set, but the Khronos validation layer is not "
+                       "installed (Debian: vulkan-validationlayers)");
+}
+
+} // namespace
+
+VkBool32 Instance::onValidationMessage(VkDebugUtilsMessageSeverityFlagBitsEXT,
+                                       VkDebugUtilsMessageTypeFlagsEXT,
+                                       const VkDebugUtilsMessengerCallbackDataEXT* data, void* log) {
+    auto& messageLog = *static_cast<MessageLog*>(log);
+    const std::lock_guard lock(messageLog.mutex);
+    messageLog.messages.emplace_back(data->pMessage);
+    return VK_FALSE;
+}
+
+Instance::Instance() : log_(std::make_unique<MessageLog>()) {
+    callVulkan([&] {
+        const bool validate = validationRequested();
+        if (validate)
+            requireValidationLayer(context_);
+        const vk::ApplicationInfo application("calotype", 1, "calotype", 1, VK_API_VERSION_1_2);
+        const std::vector<const char*> layers(validate ? 1 : 0, kValidationLayer);
+        const std::vector<const char*> extensions(validate ? 1 : 0,
+                                                  VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+        instance_ = context_.createInstance(vk::InstanceCreateInfo({}, &application, layers, extensions));
+        if (!validate)
+            return;
+        using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
+        using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
+        messenger_ = instance_.createDebugUtilsMessengerEXT(vk::DebugUtilsMessengerCreateInfoEXT(
+            {}, Severity::eWarning | Severity::eError,
+            Type::eGeneral | Type::eValidation, &onValidationMessage, log_.get()));
+    });
+}
+
+std::vector<std::string> Instance::validationMessages() const {
+    const std::lock_guard lock(log_->mutex);
+    return log_->messages;
+}
+
+} // namespace calotype

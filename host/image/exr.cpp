@@ -1,0 +1,141 @@
+#include "image/exr.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <limits>
+
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfChromaticitiesAttribute.h>
+#include <OpenEXR/ImfDoubleAttribute.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfIO.h>
+#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfIntAttribute.h>
+#include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfStandardAttributes.h>
+#include <OpenEXR/ImfStringAttribute.h>
+
+#include "base/atomic_file.h"
+#include "base/check.h"
+#include "base/error.h"
+
+namespace calotype {
+namespace {
+
+constexpr const char* kChannelNames[] = {"R", "G", "B"};
+
+/// A file in memory: OpenEXR goes back to fill in its table of offsets.
+class MemoryStream : public Imf::OStream {
+public:
+    MemoryStream() : Imf::OStream("memory") {}
+
+    void write(const char data[], int size) override {
+        const size_t end = position_ + static_cast<size_t>(size);
+        if (end > bytes_.size())
+            bytes_.resize(end);
+        std::copy_n(data, size, bytes_.begin() + static_cast<std::ptrdiff_t>(position_));
+        position_ = end;
+    }
+    uint64_t tellp() override { return position_; }
+    void seekp(uint64_t position) override { position_ = position; }
+
+    const std::string& bytes() const { return bytes_; }
+
+private:
+    std::string bytes_;
+    size_t position_ = 0;
+};
+
+Imath::Box2i windowAt(uint32_t x, uint32_t y, uint32_t width, uint32_t height) {
+    const auto last = [](uint32_t start, uint32_t size) {
+        return static_cast<int>(int64_t{start} + size - 1);
+    };
+    return {Imath::V2i(static_cast<int>(x), static_cast<int>(y)),
+            Imath::V2i(last(x, width), last(y, height))};
+}
+
+std::string hexadecimal(uint64_t value) {
+    char digits[17];
+    std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(value));
+    return digits;
+}
+
+Imf::Header describe(const Image& image, const ExrMetadata& metadata) {
+    const CropPlacement crop =
+        metadata.crop.value_or(CropPlacement{0, 0, image.width, image.height});
+    CALOTYPE_CHECK_LE(uint64_t{crop.x} + image.width, crop.filmWidth);
+    CALOTYPE_CHECK_LE(uint64_t{crop.y} + image.height, crop.filmHeight);
+
+    Imf::Header header(windowAt(0, 0, crop.filmWidth, crop.filmHeight),
+                       windowAt(crop.x, crop.y, image.width, image.height));
+    header.compression() = Imf::ZIP_COMPRESSION;
+    Imf::addChromaticities(header, Imf::Chromaticities()); // the default is Rec. 709
+    constexpr auto kMaxInt = static_cast<uint32_t>(std::numeric_limits<int>::max());
+    const auto spp = static_cast<int>(std::min(metadata.samplesPerPixel, kMaxInt));
+    header.insert("calotype:version", Imf::StringAttribute(metadata.version));
+    header.insert("calotype:sceneHash", Imf::StringAttribute(hexadecimal(metadata.sceneHash)));
+    header.insert("calotype:seed", Imf::DoubleAttribute(metadata.seed));
+    header.insert("calotype:spp", Imf::IntAttribute(spp));
+    header.insert("calotype:seconds", Imf::DoubleAttribute(metadata.seconds));
+    for (const char* name : kChannelNames)
+        header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+    return header;
+}
+
+/// The memory of `image`, seen as three channels of the data window.
+Imf::FrameBuffer frameBuffer(Image& image, const Imath::Box2i& dataWindow) {
+    Imf::FrameBuffer buffer;
+    for (int channel = 0; channel < 3; ++channel)
+        buffer.insert(kChannelNames[channel],
+                      Imf::Slice::Make(Imf::FLOAT, &image.pixels[0][channel], dataWindow,
+                                       sizeof(glm::vec3), sizeof(glm::vec3) * image.width));
+    return buffer;
+}
+
+void requireColourChannels(const Imf::Header& header, const std::string& where) {
+    for (const char* name : kChannelNames) {
+        const Imf::Channel* channel = header.channels().findChannel(name);
+        if (channel == nullptr || channel->xSampling != 1 || channel->ySampling != 1)
+            throw SceneError(where, std::string("the file has no full-size channel ") + name +
+                                        "; only RGB pictures can be read");
+    }
+}
+
+} // namespace
+
+void writeExr(const std::filesystem::path& path, const Image& image, const ExrMetadata& metadata) {
+    CALOTYPE_CHECK_LT(0u, image.pixels.size());
+    const Imf::Header header = describe(image, metadata);
+    MemoryStream stream;
+    {
+        Imf::OutputFile file(stream, header);
+        // OpenEXR takes pointers to mutable memory even where it only reads.
+        file.setFrameBuffer(frameBuffer(const_cast<Image&>(image), header.dataWindow()));
+        file.writePixels(static_cast<int>(image.height));
+    }
+    writeFileAtomically(path, stream.bytes());
+}
+
+Image readExr(const std::filesystem::path& path) {
+    try {
+        Imf::InputFile file(path.c_str());
+        requireColourChannels(file.header(), path.string());
+        const Imath::Box2i window = file.header().dataWindow();
+        const auto size = [](int first, int last) {
+            return static_cast<uint32_t>(int64_t{last} - first + 1);
+        };
+        Image image(size(window.min.x, window.max.x), size(window.min.y, window.max.y));
+        file.setFrameBuffer(frameBuffer(image, window));
+        file.readPixels(window.min.y, window.max.y);
+        return image;
+    } catch (const Error&) {
+        throw;
+    } catch (const std::exception& error) {
+        throw SceneError(path.string(),
+                         std::string("the EXR file cannot be read: ") + error.what());
+    }
+}
+
+} // namespace calotype

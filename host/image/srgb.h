@@ -1,0 +1,12 @@
+#pragma once
+
+#include <cmath>
+
+namespace calotype {
+
+/// Encodes linear light in [0, 1] for a display: the piecewise curve of IEC 61966-2-1.
+inline float srgbFromLinear(float linear) {
+    return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
+}
+
+} // namespace calotype

@@ -1,0 +1,84 @@
+#include "math/affine_transform.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+namespace calotype {
+namespace {
+
+constexpr double kSingularVolume = 1e-12;
+constexpr double kSimilarityTolerance = 1e-5;
+
+double largestEntry(const glm::dmat3& m) {
+    double largest = 0.0;
+    for (int column = 0; column < 3; ++column) {
+        for (int row = 0; row < 3; ++row) {
+            largest = std::max(largest, std::abs(m[column][row]));
+        }
+    }
+    return largest;
+}
+
+/// Each column divided by its length, without overflow. No column is zero.
+glm::dmat3 normalizedColumns(const glm::dmat3& m) {
+    glm::dmat3 result;
+    for (int column = 0; column < 3; ++column) {
+        const glm::dvec3 c = m[column];
+        const double largest = std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z)});
+        result[column] = glm::normalize(c / largest);
+    }
+    return result;
+}
+
+/// Newton's iteration for the orthogonal factor of the polar decomposition (Higham 1986); it
+/// converges quadratically and `m` is within 1e-5 of the result already.
+glm::dmat3 nearestOrthogonal(glm::dmat3 m) {
+    for (int i = 0; i < 4; ++i) {
+        m = 0.5 * (m + glm::transpose(glm::inverse(m)));
+    }
+    return m;
+}
+
+} // namespace
+
+bool isSingular(const glm::dmat3& m) {
+    for (int column = 0; column < 3; ++column) {
+        if (m[column] == glm::dvec3(0.0)) {
+            return true;
+        }
+    }
+    return std::abs(glm::determinant(normalizedColumns(m))) < kSingularVolume;
+}
+
+bool isMirroring(const glm::dmat3& m) {
+    return glm::determinant(normalizedColumns(m)) < 0.0;
+}
+
+glm::dmat3 normalMatrix(const glm::dmat3& m) {
+    return glm::transpose(glm::inverse(m / largestEntry(m)));
+}
+
+std::optional<SimilarityTransform> asSimilarity(const AffineTransform& transform) {
+    const double largest = largestEntry(transform.linear);
+    const glm::dmat3 unit = transform.linear / largest;
+    const glm::dmat3 squares = glm::transpose(unit) * unit;
+    const double meanSquare = (squares[0][0] + squares[1][1] + squares[2][2]) / 3.0;
+    for (int column = 0; column < 3; ++column) {
+        for (int row = 0; row < 3; ++row) {
+            const double wanted = column == row ? 1.0 : 0.0;
+            // Lengths enter squared, hence twice the tolerance.
+            if (!(std::abs(squares[column][row] / meanSquare - wanted) <
+                  2.0 * kSimilarityTolerance)) {
+                return std::nullopt;
+            }
+        }
+    }
+    const double unitScale = std::sqrt(meanSquare);
+    return SimilarityTransform{largest * unitScale,
+                               {nearestOrthogonal(unit / unitScale), transform.translation}};
+}
+
+} // namespace calotype

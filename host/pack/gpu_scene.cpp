@@ -1,0 +1,183 @@
+#include "pack/gpu_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/check.h"
+#include "pack/alias_table.h"
+#include "pack/pack_shapes.h"
+
+namespace calotype {
+namespace {
+
+double luminance(const glm::dvec3& rgb) {
+    return 0.2126 * rgb.x + 0.7152 * rgb.y + 0.0722 * rgb.z;
+}
+
+double maxComponent(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
+
+class ScenePacker {
+public:
+    ScenePacker(const Scene& scene, std::span<const Primitive> primitives, const Bvh& bvh,
+                const glm::dvec3& origin)
+        : scene_(scene), primitives_(primitives), bvh_(bvh) {
+        packed_.origin = origin;
+    }
+
+    GpuScene pack(double aspectRatio) {
+        packPrimitives();
+        packNodes();
+        packMaterials();
+        finishLights();
+        packCamera(aspectRatio);
+        fillEmptyArrays();
+        return std::move(packed_);
+    }
+
+private:
+    /// Triangles and quadrics, each in the order of the leaves, so that a leaf is a range of one of
+    /// the arrays. `names_` keeps under which name each place in the order is known.
+    void packPrimitives() {
+        names_.reserve(bvh_.order.size());
+        const bool smooth = anyTriangleHasNormals();
+        enable(gpu::kFeatureSmoothNormals, smooth);
+        for (const uint32_t number : bvh_.order) {
+            const Primitive& primitive = primitives_[number];
+            const Shape& shape = scene_.shapes[primitive.shape];
+            if (primitive.kind == PrimitiveKind::Quadric)
+                addQuadric(shape, number);
+            else
+                addTriangle(std::get<Mesh>(shape.geometry), primitive.triangle, number, smooth);
+        }
+    }
+
+    bool anyTriangleHasNormals() const {
+        return std::any_of(primitives_.begin(), primitives_.end(), [&](const Primitive& primitive) {
+            const Mesh* mesh = std::get_if<Mesh>(&scene_.shapes[primitive.shape].geometry);
+            return mesh && mesh->triangles[primitive.triangle].normal[0] != Mesh::kNoNormal;
+        });
+    }
+
+    void addTriangle(const Mesh& mesh, uint32_t index, uint32_t number, bool smooth) {
+        const auto name = static_cast<uint32_t>(packed_.triangles.size());
+        gpu::Triangle triangle = packTriangle(mesh, index, packed_.origin, number);
+        triangle.light = addLight(triangle.material, name, areaOf(triangle));
+        enable(gpu::kFeatureTriangles, true);
+        enable(gpu::kFeatureTriangleLights, triangle.light != gpu::kNone);
+        packed_.triangles.push_back(triangle);
+        if (smooth)
+            packed_.triangleNormals.push_back(packTriangleNormals(mesh, index));
+        names_.push_back(name);
+    }
+
+    void addQuadric(const Shape& shape, uint32_t number) {
+        const auto name = static_cast<uint32_t>(packed_.quadrics.size()) | gpu::kQuadricBit;
+        gpu::Quadric quadric = packQuadric(shape, packed_.origin, number);
+        quadric.light = addLight(quadric.material, name, areaOf(quadric));
+        enable(gpu::kFeatureSpheres + quadric.kind, true);
+        enable(gpu::kFeatureSphereLights + quadric.kind, quadric.light != gpu::kNone);
+        packed_.quadrics.push_back(quadric);
+        names_.push_back(name);
+    }
+
+    /// The new light's index, or kNone where the material does not shine or there is no area.
+    uint32_t addLight(uint32_t materialIndex, uint32_t primitive, double area) {
+        const Material& material = scene_.materials[materialIndex];
+        if (maxComponent(material.emission) <= 0.0 || area <= 0.0)
+            return gpu::kNone;
+        gpu::Light light{};
+        light.radiance = glm::vec3(material.emission);
+        light.primitive = primitive;
+        light.area = static_cast<float>(area);
+        light.flags = (material.emitsFromFrontOnly ? 0 : gpu::kLightEmitsFromBack) |
+                      (material.visibleToCamera ? 0 : gpu::kLightHiddenFromCamera);
+        enable(gpu::kFeatureHiddenLights, !material.visibleToCamera);
+        const double sides = material.emitsFromFrontOnly ? 1.0 : 2.0;
+        powers_.push_back(luminance(material.emission) * area * sides);
+        packed_.maxRadiance = std::max(packed_.maxRadiance, maxComponent(material.emission));
+        packed_.lights.push_back(light);
+        return packed_.lightCount++;
+    }
+
+    void packNodes() {
+        packed_.nodes.reserve(bvh_.nodes.size());
+        for (const Bvh::Node& node : bvh_.nodes)
+            packed_.nodes.push_back({node.bounds.lower, node.isLeaf() ? names_[node.first] : node.first,
+                                     node.bounds.upper, node.count});
+    }
+
+    void packMaterials() {
+        for (const Material& material : scene_.materials)
+            packed_.materials.push_back({glm::vec3(material.color), 0});
+    }
+
+    void finishLights() {
+        const std::vector<AliasColumn> columns = buildAliasTable(powers_);
+        for (size_t i = 0; i < columns.size(); ++i) {
+            packed_.lights[i].selectionChance = static_cast<float>(columns[i].chance);
+            packed_.lights[i].aliasThreshold = static_cast<float>(columns[i].threshold);
+            packed_.lights[i].alias = columns[i].alias;
+        }
+    }
+
+    void packCamera(double aspectRatio) {
+        const Camera& camera = scene_.camera;
+        const double tangent = std::tan(0.5 * camera.verticalFov);
+        packed_.camera.position = packPosition(camera.position, packed_.origin);
+        packed_.camera.right = glm::vec3(camera.right * (tangent * aspectRatio));
+        packed_.camera.up = glm::vec3(camera.up * tangent);
+        packed_.camera.forward = glm::vec3(camera.forward);
+    }
+
+    /// Buffers of no size do not exist. An empty scene is one triangle without area, which no ray
+    /// meets.
+    void fillEmptyArrays() {
+        if (packed_.nodes.empty()) {
+            packed_.nodes.push_back({glm::vec3(0.0f), 0, glm::vec3(0.0f), 1});
+            enable(gpu::kFeatureTriangles, true);
+        }
+        const auto fill = [](auto& array) {
+            if (array.empty())
+                array.emplace_back();
+        };
+        fill(packed_.triangles);
+        fill(packed_.triangleNormals);
+        fill(packed_.quadrics);
+        fill(packed_.materials);
+        fill(packed_.lights);
+    }
+
+    void enable(uint32_t feature, bool needed) {
+        packed_.features.enabled[feature] = packed_.features.enabled[feature] || needed;
+    }
+
+    const Scene& scene_;
+    std::span<const Primitive> primitives_;
+    const Bvh& bvh_;
+    GpuScene packed_;
+    std::vector<uint32_t> names_; ///< by place in the leaves' order: index, with kQuadricBit
+    std::vector<double> powers_;  ///< by light, up to a common factor
+};
+
+template <typename T>
+size_t bytesOf(const std::vector<T>& array) {
+    return array.size() * sizeof(T);
+}
+
+} // namespace
+
+size_t GpuScene::bytes() const {
+    return bytesOf(nodes) + bytesOf(triangles) + bytesOf(triangleNormals) + bytesOf(quadrics) +
+           bytesOf(materials) + bytesOf(lights) + sizeof(camera);
+}
+
+GpuScene packScene(const Scene& scene, std::span<const Primitive> primitives, const Bvh& bvh,
+                   const glm::dvec3& origin, double aspectRatio) {
+    static_assert(gpu::kFeatureDisks - gpu::kFeatureSpheres == gpu::kDisk - gpu::kSphere);
+    static_assert(gpu::kFeatureDiskLights - gpu::kFeatureSphereLights == gpu::kDisk - gpu::kSphere);
+    CALOTYPE_CHECK_EQ(bvh.order.size(), primitives.size());
+    return ScenePacker(scene, primitives, bvh, origin).pack(aspectRatio);
+}
+
+} // namespace calotype

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "accel/bvh.h"
+#include "accel/primitive.h"
+#include "pack/scene_features.h"
+#include "scene/scene.h"
+#include "shared/scene_structs.h"
+
+namespace calotype {
+
+/// A scene as the kernels read it, relative to `origin`. No array is empty.
+struct GpuScene {
+    std::vector<gpu::BvhNode> nodes;
+    std::vector<gpu::Triangle> triangles;
+    std::vector<gpu::TriangleNormals> triangleNormals; ///< one per triangle, or a single one unused
+    std::vector<gpu::Quadric> quadrics;
+    std::vector<gpu::Material> materials;
+    std::vector<gpu::Light> lights;
+    uint32_t lightCount = 0; ///< `lights` holds one unused where this is 0
+    gpu::Camera camera{};
+    SceneFeatures features;
+    glm::dvec3 origin{0.0};
+    double maxRadiance = 0.0; ///< largest emitted radiance of any channel, W/(m^2 sr)
+
+    /// Bytes on the device.
+    size_t bytes() const;
+};
+
+/// Packs a scene with its tree. `aspectRatio` is the picture's width over its height; `primitives`
+/// were collected relative to `origin`.
+GpuScene packScene(const Scene& scene, std::span<const Primitive> primitives, const Bvh& bvh,
+                   const glm::dvec3& origin, double aspectRatio);
+
+} // namespace calotype

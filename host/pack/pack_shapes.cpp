@@ -1,0 +1,113 @@
+#include "pack/pack_shapes.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+#include "base/check.h"
+
+namespace calotype {
+namespace {
+
+gpu::Quadric withFrame(const RigidTransform& worldFromObject, const glm::dvec3& origin) {
+    gpu::Quadric quadric{};
+    quadric.center = packPosition(worldFromObject.translation, origin);
+    quadric.axisX = glm::vec3(worldFromObject.rotation[0]);
+    quadric.axisY = glm::vec3(worldFromObject.rotation[1]);
+    quadric.axisZ = glm::vec3(worldFromObject.rotation[2]);
+    return quadric;
+}
+
+gpu::Quadric pack(const Sphere& sphere, const glm::dvec3& origin) {
+    gpu::Quadric quadric = withFrame(sphere.worldFromObject, origin);
+    quadric.kind = gpu::kSphere;
+    quadric.radius = static_cast<float>(sphere.radius);
+    return quadric;
+}
+
+gpu::Quadric pack(const Cylinder& cylinder, const glm::dvec3& origin) {
+    gpu::Quadric quadric = withFrame(cylinder.worldFromObject, origin);
+    quadric.kind = gpu::kCylinder;
+    quadric.radius = static_cast<float>(cylinder.radius);
+    quadric.extent = static_cast<float>(cylinder.height);
+    return quadric;
+}
+
+gpu::Quadric pack(const Cone& cone, const glm::dvec3& origin) {
+    gpu::Quadric quadric = withFrame(cone.worldFromObject, origin);
+    quadric.kind = gpu::kCone;
+    quadric.radius = static_cast<float>(cone.slope * std::abs(cone.height));
+    quadric.extent = static_cast<float>(cone.height);
+    quadric.slope = static_cast<float>(cone.slope);
+    return quadric;
+}
+
+gpu::Quadric pack(const Disk& disk, const glm::dvec3& origin) {
+    gpu::Quadric quadric = withFrame(disk.worldFromObject, origin);
+    quadric.kind = gpu::kDisk;
+    quadric.radius = static_cast<float>(disk.radius);
+    return quadric;
+}
+
+gpu::Quadric pack(const Mesh&, const glm::dvec3&) {
+    failCheck("a mesh is no quadric", 0, 0, __FILE__, __LINE__);
+}
+
+} // namespace
+
+gpu::Triangle packTriangle(const Mesh& mesh, uint32_t triangle, const glm::dvec3& origin,
+                           uint32_t number) {
+    const Mesh::Triangle& source = mesh.triangles[triangle];
+    gpu::Triangle packed{};
+    packed.v0 = packPosition(mesh.positions[source.position[0]], origin);
+    packed.v1 = packPosition(mesh.positions[source.position[1]], origin);
+    packed.v2 = packPosition(mesh.positions[source.position[2]], origin);
+    packed.material = source.material;
+    packed.light = gpu::kNone;
+    packed.id = number;
+    return packed;
+}
+
+gpu::TriangleNormals packTriangleNormals(const Mesh& mesh, uint32_t triangle) {
+    gpu::TriangleNormals packed{};
+    const Mesh::Triangle& source = mesh.triangles[triangle];
+    if (source.normal[0] == Mesh::kNoNormal)
+        return packed;
+    packed.n0 = glm::vec3(mesh.normals[source.normal[0]]);
+    packed.n1 = glm::vec3(mesh.normals[source.normal[1]]);
+    packed.n2 = glm::vec3(mesh.normals[source.normal[2]]);
+    return packed;
+}
+
+gpu::Quadric packQuadric(const Shape& shape, const glm::dvec3& origin, uint32_t number) {
+    gpu::Quadric packed = std::visit(
+        [&](const auto& geometry) { return pack(geometry, origin); }, shape.geometry);
+    packed.material = shape.material;
+    packed.light = gpu::kNone;
+    packed.id = number;
+    return packed;
+}
+
+double areaOf(const gpu::Triangle& triangle) {
+    const glm::dvec3 v0(triangle.v0);
+    return 0.5 * glm::length(glm::cross(glm::dvec3(triangle.v1) - v0, glm::dvec3(triangle.v2) - v0));
+}
+
+double areaOf(const gpu::Quadric& quadric) {
+    constexpr double kPi = std::numbers::pi;
+    const double r = quadric.radius;
+    const double h = std::abs(quadric.extent);
+    switch (quadric.kind) {
+    case gpu::kSphere:
+        return 4.0 * kPi * r * r;
+    case gpu::kCylinder:
+        return 2.0 * kPi * r * (h + r);
+    case gpu::kCone:
+        return kPi * r * (r + std::hypot(r, h));
+    default:
+        return kPi * r * r;
+    }
+}
+
+} // namespace calotype

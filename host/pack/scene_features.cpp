@@ -1,0 +1,17 @@
+#include "pack/scene_features.h"
+
+namespace calotype {
+
+const std::array<std::string_view, gpu::kFeatureCount> kFeatureNames = {
+    "triangles",       "smooth normals", "spheres",         "cylinders",
+    "cones",           "disks",          "triangle lights", "sphere lights",
+    "cylinder lights", "cone lights",    "disk lights",     "hidden lights",
+};
+
+SceneFeatures SceneFeatures::all() {
+    SceneFeatures features;
+    features.enabled.fill(true);
+    return features;
+}
+
+} // namespace calotype

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "shared/bindings.h"
+
+namespace calotype {
+
+/// Which features of the kernel a scene needs, indexed by the identifiers in shared/bindings.h.
+struct SceneFeatures {
+    std::array<bool, gpu::kFeatureCount> enabled{};
+
+    /// Everything compiled in: the kernel for any scene.
+    static SceneFeatures all();
+};
+
+/// Names for people, indexed like SceneFeatures::enabled.
+extern const std::array<std::string_view, gpu::kFeatureCount> kFeatureNames;
+
+} // namespace calotype

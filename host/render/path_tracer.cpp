@@ -1,0 +1,96 @@
+#include "render/path_tracer.h"
+
+#include <numeric>
+
+#include "kernels/path_trace.spv.h"
+#include "shared/limits.h"
+
+namespace calotype {
+namespace {
+
+uint32_t countTiles(const Crop& crop) {
+    const auto tilesAlong = [](uint32_t pixels) {
+        return (pixels + gpu::kTileSize - 1) / gpu::kTileSize;
+    };
+    return tilesAlong(crop.width) * tilesAlong(crop.height);
+}
+
+/// llvmpipe gives each thread a contiguous part of a dispatch, so neighbouring tiles, which take
+/// about as long, are dealt out evenly by striding through the picture with a number coprime to
+/// theirs. Small enough for 32-bit products of the largest pictures.
+uint32_t coprimeStride(uint32_t tileCount) {
+    uint32_t stride = 61;
+    while (std::gcd(stride, tileCount) != 1)
+        --stride;
+    return stride;
+}
+
+gpu::RenderParameters makeParameters(const GpuScene& scene, const RenderSettings& settings,
+                                     uint32_t tileCount) {
+    gpu::RenderParameters parameters{};
+    parameters.imageSize = {settings.width, settings.height};
+    parameters.cropOrigin = {settings.crop.x, settings.crop.y};
+    parameters.cropSize = {settings.crop.width, settings.crop.height};
+    parameters.tileCount = tileCount;
+    parameters.tileStride = coprimeStride(tileCount);
+    parameters.seed = settings.seed;
+    parameters.maxBounces = settings.maxBounces;
+    parameters.lightCount = scene.lightCount;
+    return parameters;
+}
+
+std::vector<Binding> withKernelBindings(std::vector<Binding> bindings, const Buffer& camera,
+                                        const StorageImage& block, const Buffer& counters) {
+    bindings.push_back(Binding::uniformBuffer(gpu::kBindingCamera, camera));
+    bindings.push_back(Binding::storageImage(gpu::kBindingBlock, block));
+    bindings.push_back(Binding::storageBuffer(gpu::kBindingCounters, counters));
+    return bindings;
+}
+
+size_t blockBytes(const Crop& crop) {
+    return size_t{crop.width} * crop.height * sizeof(glm::vec4);
+}
+
+} // namespace
+
+PathTracer::PathTracer(const Device& device, const GpuScene& scene, const SceneBuffers& buffers,
+                       const SceneFeatures& features, const RenderSettings& settings)
+    : device_(device), tileCount_(countTiles(settings.crop)),
+      parameters_(makeParameters(scene, settings, tileCount_)),
+      block_(device, settings.crop.width, settings.crop.height, "block"),
+      readback_(device, blockBytes(settings.crop), vk::BufferUsageFlagBits::eTransferDst,
+                Buffer::Memory::Host, "block readback"),
+      camera_(uploadBuffer(device, std::as_bytes(std::span(&scene.camera, 1)),
+                           vk::BufferUsageFlagBits::eUniformBuffer, "camera")),
+      counters_(device, sizeof(gpu::RenderCounters), vk::BufferUsageFlagBits::eStorageBuffer,
+                Buffer::Memory::Host, "counters"),
+      pipeline_(device, {.name = "path trace",
+                         .spirv = kPathTraceSpirv,
+                         .bindings = withKernelBindings(buffers.bindings(), camera_, block_, counters_),
+                         .constants = {features.enabled.begin(), features.enabled.end()},
+                         .pushConstantBytes = sizeof(gpu::RenderParameters)}) {}
+
+void PathTracer::beginBlock(uint32_t firstSample) {
+    parameters_.firstSample = firstSample;
+    block_.clear(device_);
+}
+
+gpu::RenderCounters PathTracer::renderTiles(TileRange tiles, uint32_t sampleEnd) {
+    parameters_.firstTile = tiles.first;
+    parameters_.sampleEnd = sampleEnd;
+    gpu::RenderCounters& counters = counters_.mapped<gpu::RenderCounters>()[0];
+    counters = {};
+    pipeline_.run(device_, tiles.count, std::as_bytes(std::span(&parameters_, 1)));
+    return counters;
+}
+
+std::span<const glm::vec4> PathTracer::readBlock() {
+    block_.copyTo(device_, readback_.handle());
+    return readback_.mapped<glm::vec4>();
+}
+
+uint64_t pathTracerBytes(const RenderSettings& settings) {
+    return 2 * blockBytes(settings.crop) + sizeof(gpu::Camera) + sizeof(gpu::RenderCounters);
+}
+
+} // namespace calotype

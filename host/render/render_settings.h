@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+
+namespace calotype {
+
+/// A rectangle of the film, in pixels from its top left corner.
+struct Crop {
+    uint32_t x = 0;
+    uint32_t y = 0;
+    uint32_t width = 0;
+    uint32_t height = 0;
+};
+
+struct RenderSettings {
+    uint32_t width = 0; ///< of the whole film, pixels
+    uint32_t height = 0;
+    Crop crop; ///< what is rendered of it; within the film, not empty
+    uint32_t samplesPerPixel = 0;
+    uint32_t maxBounces = 0;
+    uint32_t seed = 0;
+};
+
+} // namespace calotype

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "gpu/buffer.h"
+#include "gpu/compute_pipeline.h"
+#include "pack/gpu_scene.h"
+
+namespace calotype {
+
+/// A packed scene on the device. Throws GpuError where it does not fit.
+class SceneBuffers {
+public:
+    SceneBuffers(const Device& device, const GpuScene& scene);
+
+    /// For the kernels that include scene/buffers.glsl.
+    std::vector<Binding> bindings() const;
+
+private:
+    TexelBuffer nodes_;
+    TexelBuffer triangles_;
+    TexelBuffer triangleNormals_;
+    TexelBuffer quadrics_;
+    TexelBuffer materials_;
+    TexelBuffer lights_;
+};
+
+} // namespace calotype

@@ -1,0 +1,104 @@
+#include "scene/load.h"
+
+#include <algorithm>
+
+#include "scene/json_document.h"
+#include "scene/load_context.h"
+#include "scene/read_color.h"
+#include "scene/read_file.h"
+#include "scene/read_lights.h"
+#include "scene/read_materials.h"
+#include "scene/read_settings.h"
+#include "scene/read_shapes.h"
+#include "scene/scene_override.h"
+
+namespace calotype {
+namespace {
+
+/// Accepts the parts of the format that this version does not render, where they ask for nothing.
+void checkNeutral(const JsonObject& root) {
+    if (const auto background = root.optional("background")) {
+        if (readRadiance(*background) != glm::dvec3(0.0)) {
+            failUnsupported(*background, "a \"background\" other than 0");
+        }
+    }
+    if (const auto textures = root.optional("textures")) {
+        if (!textures->json().is_object()) {
+            textures->fail("must be an object of textures by name");
+        }
+        if (!textures->json().empty()) {
+            failUnsupported(*textures, "an image or pattern in \"textures\"");
+        }
+    }
+}
+
+bool emits(const Scene& scene, uint32_t material) {
+    return scene.materials[material].emission != glm::dvec3(0.0);
+}
+
+bool hasEmission(const Scene& scene) {
+    return std::ranges::any_of(scene.shapes, [&](const Shape& shape) {
+        if (const auto* mesh = std::get_if<Mesh>(&shape.geometry)) {
+            return std::ranges::any_of(mesh->triangles,
+                                       [&](const auto& t) { return emits(scene, t.material); });
+        }
+        return emits(scene, shape.material);
+    });
+}
+
+void warnIfBlack(LoadContext& context, const std::string& path) {
+    if (context.scene.shapes.empty()) {
+        context.warn(path, "there are no shapes and no lights, so the picture will be black");
+    } else if (!hasEmission(context.scene)) {
+        context.warn(path, "nothing emits light, so the picture will be black");
+    }
+}
+
+void readScene(const JsonObject& root, LoadContext& context) {
+    if (const auto schema = root.optional("$schema")) {
+        schema->text();
+    }
+    checkNeutral(root);
+    Scene& scene = context.scene;
+    scene.camera = readCamera(root.required("camera"));
+    if (const auto film = root.optional("film")) {
+        scene.film = readFilm(*film);
+    }
+    if (const auto render = root.optional("render")) {
+        scene.render = readRender(*render);
+    }
+    if (const auto materials = root.optional("materials")) {
+        readMaterials(*materials, context);
+    }
+    if (const auto shapes = root.optional("shapes")) {
+        for (const JsonValue& shape : shapes->array()) {
+            scene.shapes.push_back(readShape(shape, context));
+        }
+    }
+    if (const auto lights = root.optional("lights")) {
+        size_t index = 0;
+        for (const JsonValue& light : lights->array()) {
+            scene.shapes.push_back(readLight(light, index++, context));
+        }
+    }
+}
+
+} // namespace
+
+Scene loadScene(const std::string& path, const LoadOptions& options) {
+    nlohmann::json document = parseJson(readFile(path, path), path);
+    for (const SceneOverride& override : options.overrides) {
+        applyOverride(document, override);
+    }
+    LoadContext context{options, std::filesystem::path(path).parent_path(), {}, {}, {}, {}, {}};
+    context.hash.add(document.dump());
+    readScene(
+        JsonObject(JsonValue(document, path), {"$schema", "camera", "film", "render", "background",
+                                               "textures", "materials", "shapes", "lights"}),
+        context);
+    warnIfBlack(context, path);
+    context.scene.hash = context.hash.value();
+    return std::move(context.scene);
+}
+
+} // namespace calotype

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace calotype {
+
+/// One `--set POINTER=VALUE` of the command line. The value is JSON, or else taken as a string.
+struct SceneOverride {
+    std::string pointer; ///< RFC 6901, such as "/materials/gold/roughness"
+    std::string value;
+};
+
+struct LoadOptions {
+    std::vector<SceneOverride> overrides;
+    /// Called now and then with what is being read, e.g. "chair.obj", and the share done in [0, 1].
+    std::function<void(const std::string& what, double done)> onProgress;
+};
+
+/// Reads, checks and resolves a scene file (scenes/scene.schema.json describes the format).
+/// Throws SceneError with the place of the first mistake.
+Scene loadScene(const std::string& path, const LoadOptions& options = {});
+
+} // namespace calotype

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "scene/content_hash.h"
+#include "scene/json_reader.h"
+#include "scene/load.h"
+#include "scene/obj_file.h"
+#include "scene/scene.h"
+
+namespace calotype {
+
+/// What the readers of one scene file share: what is made, and what is looked up on the way.
+struct LoadContext {
+    const LoadOptions& options;
+    std::filesystem::path directory; ///< that file names in the scene are relative to
+
+    Scene scene;
+    ContentHash hash;
+    std::vector<std::string> materialNames; ///< of the scene file: the first of Scene::materials
+
+    /// OBJ files by path, each read once however many meshes name it.
+    std::map<std::string, std::shared_ptr<const ObjFile>> objFiles;
+    /// What materialsFromMtl returned, by OBJ path.
+    std::map<std::string, std::vector<uint32_t>> mtlMaterials;
+
+    uint32_t addMaterial(Material material) {
+        scene.materials.push_back(std::move(material));
+        return static_cast<uint32_t>(scene.materials.size() - 1);
+    }
+
+    /// Adds the sentence "WHERE: MESSAGE", once.
+    void warn(const std::string& where, const std::string& message) {
+        std::string warning = where + ": " + message;
+        if (std::ranges::find(scene.warnings, warning) == scene.warnings.end()) {
+            scene.warnings.push_back(std::move(warning));
+        }
+    }
+
+    void progress(const std::filesystem::path& file, double done) const {
+        if (options.onProgress) {
+            options.onProgress(file.filename().string(), done);
+        }
+    }
+};
+
+} // namespace calotype

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include <glm/vec3.hpp>
+
+#include "math/affine_transform.h"
+#include "scene/scene.h"
+
+namespace calotype {
+
+/// Where a mesh's shading normals come from.
+enum class NormalMode {
+    Auto,   ///< as given, flat where there are none
+    Smooth, ///< per position the mean over its triangles, weighted by area
+    Flat,
+};
+
+struct MeshAndDropped {
+    Mesh mesh;
+    uint64_t dropped = 0; ///< triangles of zero area, which are left out
+};
+
+/// A mesh in world space from triangles in object space that index `positions` and `normals`.
+/// Where the transform mirrors, triangles are wound the other way, so that fronts stay fronts.
+/// Positions and normals that no triangle uses are left out. Throws SceneError at `where` if a
+/// vertex leaves the range of finite numbers, or if no triangle is left.
+MeshAndDropped buildMesh(std::span<const glm::dvec3> positions, std::span<const glm::dvec3> normals,
+                         std::span<const Mesh::Triangle> triangles,
+                         const AffineTransform& worldFromObject, NormalMode mode,
+                         const std::string& where);
+
+/// The area of a triangle's two sides together is twice this.
+double triangleArea(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
+
+} // namespace calotype

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace calotype {
+
+/// `text` for a message: quotes and control characters escaped as in JSON, long texts shortened.
+std::string printable(std::string_view text);
+
+/// `printable(text)` in double quotes.
+std::string inQuotes(std::string_view text);
+
+/// Names in quotes, separated by commas; the first twenty if there are many.
+std::string listInQuotes(std::span<const std::string> names);
+
+/// The end of a sentence that complains of an unknown `name`: `did you mean "radius"?`, or the
+/// list of what is known where nothing is near. Empty where nothing is known.
+std::string suggestion(std::string_view name, std::span<const std::string> known);
+
+/// The nearest of `known` by edit distance (insert, delete, replace, swap neighbours), or empty
+/// where more than half of the name would have to change.
+std::string nearestName(std::string_view name, std::span<const std::string> known);
+
+} // namespace calotype

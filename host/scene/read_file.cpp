@@ -1,0 +1,58 @@
+#include "scene/read_file.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+
+#include "base/error.h"
+#include "scene/names.h"
+
+namespace calotype {
+namespace {
+
+constexpr size_t kChunk = 1 << 20;
+
+struct CloseFile {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+} // namespace
+
+std::string readFile(const std::string& path, const std::string& where) {
+    const auto fail = [&](int reason) {
+        throw SceneError(where,
+                         "cannot read the file " + inQuotes(path) + ": " + std::strerror(reason));
+    };
+    const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
+    if (!file) {
+        fail(errno);
+    }
+    std::string bytes;
+    std::error_code unknownSize;
+    const auto size = std::filesystem::file_size(path, unknownSize);
+    if (!unknownSize) {
+        bytes.reserve(size + kChunk);
+    }
+    size_t count = 0;
+    do {
+        const size_t start = bytes.size();
+        bytes.resize(start + kChunk);
+        count = std::fread(bytes.data() + start, 1, kChunk, file.get());
+        bytes.resize(start + count);
+    } while (count == kChunk);
+    if (std::ferror(file.get())) {
+        fail(errno);
+    }
+    return bytes;
+}
+
+bool isReadableFile(const std::string& path) {
+    std::error_code ignored;
+    const auto status = std::filesystem::status(path, ignored);
+    return std::filesystem::exists(status) && !std::filesystem::is_directory(status) &&
+           std::unique_ptr<std::FILE, CloseFile>(std::fopen(path.c_str(), "rb")) != nullptr;
+}
+
+} // namespace calotype

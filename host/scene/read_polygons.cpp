@@ -1,0 +1,68 @@
+#include "scene/read_polygons.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "scene/mesh_builder.h"
+#include "scene/read_transform.h"
+
+namespace calotype {
+namespace {
+
+/// Of a quad's longest diagonal.
+constexpr double kPlaneTolerance = 1e-4;
+
+std::vector<glm::dvec3> readVertices(const JsonObject& object, size_t count) {
+    std::vector<glm::dvec3> vertices;
+    for (const JsonValue& vertex : object.required("vertices").array(count)) {
+        vertices.push_back(vertex.vector());
+    }
+    return vertices;
+}
+
+/// Four points lie at equal distances from the plane through their mean along the cross product
+/// of the diagonals.
+void checkPlanar(const std::vector<glm::dvec3>& v, const JsonValue& place) {
+    const glm::dvec3 diagonal02 = v[2] - v[0];
+    const glm::dvec3 diagonal13 = v[3] - v[1];
+    const double size = std::max(glm::length(diagonal02), glm::length(diagonal13));
+    const glm::dvec3 normal = glm::cross(diagonal02 / size, diagonal13 / size);
+    const double distance =
+        0.5 * std::abs(glm::dot((v[1] - v[0]) / size, normal)) / glm::length(normal);
+    if (distance > kPlaneTolerance) {
+        place.fail("the corners of the quad do not lie in one plane; use two triangles");
+    }
+}
+
+Mesh makeMesh(const JsonObject& object, const std::vector<glm::dvec3>& vertices,
+              const std::vector<Mesh::Triangle>& triangles, LoadContext& context) {
+    const JsonValue place = object.value();
+    auto [mesh, dropped] =
+        buildMesh(vertices, {}, triangles, readTransform(object), NormalMode::Flat, place.where());
+    if (dropped > 0) {
+        context.scene.droppedTriangles += dropped;
+        context.warn(place.where(), "half of the quad has no area and was left out");
+    }
+    return std::move(mesh);
+}
+
+Mesh::Triangle flatTriangle(uint32_t a, uint32_t b, uint32_t c, uint32_t material) {
+    return {{a, b, c}, {Mesh::kNoNormal, Mesh::kNoNormal, Mesh::kNoNormal}, material};
+}
+
+} // namespace
+
+Mesh readTriangle(const JsonObject& object, uint32_t material, LoadContext& context) {
+    return makeMesh(object, readVertices(object, 3), {flatTriangle(0, 1, 2, material)}, context);
+}
+
+Mesh readQuad(const JsonObject& object, uint32_t material, LoadContext& context) {
+    const std::vector<glm::dvec3> vertices = readVertices(object, 4);
+    checkPlanar(vertices, object.required("vertices"));
+    return makeMesh(object, vertices,
+                    {flatTriangle(0, 1, 2, material), flatTriangle(0, 2, 3, material)}, context);
+}
+
+} // namespace calotype

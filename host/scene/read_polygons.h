@@ -1,0 +1,12 @@
+#pragma once
+
+#include "scene/load_context.h"
+
+namespace calotype {
+
+/// A "triangle" or "quad" as a mesh in world space; a quad is the triangles 012 and 023. Throws
+/// SceneError for corners without an area, and for a quad's that lie off one plane.
+Mesh readTriangle(const JsonObject& object, uint32_t material, LoadContext& context);
+Mesh readQuad(const JsonObject& object, uint32_t material, LoadContext& context);
+
+} // namespace calotype

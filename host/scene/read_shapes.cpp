@@ -1,0 +1,76 @@
+#include "scene/read_shapes.h"
+
+#include <array>
+
+#include "scene/read_materials.h"
+#include "scene/read_mesh.h"
+#include "scene/read_polygons.h"
+#include "scene/read_quadrics.h"
+
+namespace calotype {
+namespace {
+
+const std::array<std::string, 7> kTypes = {"sphere",   "cylinder", "cone", "disk",
+                                           "triangle", "quad",     "mesh"};
+enum Type { kSphere, kCylinder, kCone, kDisk, kTriangle, kQuad, kMesh };
+
+std::vector<std::string> keysOf(Type type) {
+    switch (type) {
+    case kSphere:
+        return {"type", "material", "transform", "center", "radius"};
+    case kCylinder:
+        return {"type", "material", "transform", "center", "radius", "height", "axis"};
+    case kCone:
+        return {"type", "material", "transform", "apex", "height", "slope", "axis"};
+    case kDisk:
+        return {"type", "material", "transform", "center", "normal", "radius"};
+    case kTriangle:
+    case kQuad:
+        return {"type", "material", "transform", "vertices", "uvs"};
+    case kMesh:
+        break;
+    }
+    return {"type", "material", "transform", "file", "materials", "normals", "displacement"};
+}
+
+} // namespace
+
+Shape readShape(const JsonValue& value, LoadContext& context) {
+    const auto type = static_cast<Type>(choiceAt(value, "type", kTypes));
+    const JsonObject object(value, keysOf(type));
+    Shape shape;
+    shape.place = value.pointer();
+    if (type == kMesh) {
+        shape.geometry = readMesh(object, context);
+        return shape;
+    }
+    shape.material = findMaterial(object.required("material"), context);
+    if (type == kTriangle || type == kQuad) {
+        object.refuse("uvs");
+    }
+    switch (type) {
+    case kSphere:
+        shape.geometry = readSphere(object);
+        break;
+    case kCylinder:
+        shape.geometry = readCylinder(object);
+        break;
+    case kCone:
+        shape.geometry = readCone(object);
+        break;
+    case kDisk:
+        shape.geometry = readDisk(object);
+        break;
+    case kTriangle:
+        shape.geometry = readTriangle(object, shape.material, context);
+        break;
+    case kQuad:
+        shape.geometry = readQuad(object, shape.material, context);
+        break;
+    case kMesh:
+        break;
+    }
+    return shape;
+}
+
+} // namespace calotype

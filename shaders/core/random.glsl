@@ -1,0 +1,49 @@
+// Uniform random numbers without state: a hash of (pixel, sample, dimension, seed), so that tiles,
+// passes and schedules of any kind see the same samples.
+#ifndef CALOTYPE_CORE_RANDOM_GLSL
+#define CALOTYPE_CORE_RANDOM_GLSL
+
+/// What a path's random numbers depend on.
+struct SampleId {
+    uvec2 pixel; ///< on the whole film, below 65536 each
+    uint sampleIndex;
+    uint seed;
+};
+
+// Each dimension is four numbers. A path's are laid out alike in every scene, so that leaving out a
+// feature leaves the other numbers as they are.
+const uint kDimensionCamera = 0u; ///< position in the pixel
+const uint kDimensionsBeforeBounces = 4u;
+const uint kDimensionsPerBounce = 4u;
+const uint kDimensionLight = 0u; ///< choice of light, two coordinates on it
+const uint kDimensionBsdf = 1u;  ///< direction of the next ray
+
+uint bounceDimension(uint bounce, uint offset) {
+    return kDimensionsBeforeBounces + kDimensionsPerBounce * bounce + offset;
+}
+
+/// PCG hash of four words (Jarzynski and Olano 2020, "Hash Functions for GPU Rendering").
+uvec4 pcg4d(uvec4 v) {
+    v = v * 1664525u + 1013904223u;
+    v.x += v.y * v.w;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    v.w += v.y * v.z;
+    v ^= v >> 16u;
+    v.x += v.y * v.w;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    v.w += v.y * v.z;
+    return v;
+}
+
+/// The upper 24 bits, times 2^-24: uniform in [0, 1 - 2^-24], every value exact.
+vec4 unitFloats(uvec4 bits) { return vec4(bits >> 8u) * (1.0 / 16777216.0); }
+
+/// Four independent numbers in [0, 1).
+vec4 uniformRandom(SampleId id, uint dimension) {
+    uint pixel = id.pixel.x | (id.pixel.y << 16u);
+    return unitFloats(pcg4d(uvec4(pixel, id.sampleIndex, dimension, id.seed)));
+}
+
+#endif

@@ -1,0 +1,23 @@
+// Which pixel an invocation owns.
+#ifndef CALOTYPE_FILM_TILES_GLSL
+#define CALOTYPE_FILM_TILES_GLSL
+
+#include "shared/limits.h"
+
+/// The even bits of x, packed: half of a Morton code.
+uint evenBits(uint x) {
+    x &= 0x55555555u;
+    x = (x ^ (x >> 1u)) & 0x33333333u;
+    x = (x ^ (x >> 2u)) & 0x0F0F0F0Fu;
+    return x;
+}
+
+/// Pixel of a tile's invocation: along a Z curve, so that a subgroup's rays stay together. The last
+/// tiles reach beyond the picture.
+uvec2 pixelOfInvocation(uint tile, uint invocation, uvec2 imageSize) {
+    uint tilesPerRow = (imageSize.x + kTileSize - 1u) / kTileSize;
+    uvec2 corner = kTileSize * uvec2(tile % tilesPerRow, tile / tilesPerRow);
+    return corner + uvec2(evenBits(invocation), evenBits(invocation >> 1u));
+}
+
+#endif

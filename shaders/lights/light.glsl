@@ -1,0 +1,58 @@
+// The closed list of lights: any primitive may be one.
+#ifndef CALOTYPE_LIGHTS_LIGHT_GLSL
+#define CALOTYPE_LIGHTS_LIGHT_GLSL
+
+#include "lights/quadric_light.glsl"
+#include "lights/sphere_light.glsl"
+#include "lights/triangle_light.glsl"
+#include "scene/buffers.glsl"
+#include "scene/features.glsl"
+
+const bool hasQuadricLights =
+    hasSphereLights || hasCylinderLights || hasConeLights || hasDiskLights;
+
+/// Picks a light by its selectionChance in constant time: a column of the alias table, then the
+/// column's own light or its alias (Walker 1974; Vose 1991). u.x picks the column, u.y within it.
+uint chooseLight(uint lightCount, vec2 u) {
+    uint column = min(uint(u.x * float(lightCount)), lightCount - 1u);
+    Light light = loadLight(column);
+    return u.y < light.aliasThreshold ? column : light.alias;
+}
+
+bool isQuadricLight(Light light) {
+    return hasQuadricLights && (!hasTriangleLights || (light.primitive & kQuadricBit) != 0u);
+}
+
+bool isSphereLight(Quadric quadric) {
+    return hasSphereLights && quadric.kind == kSphere;
+}
+
+/// A point on the light for lighting `reference`.
+SurfaceSample sampleLight(Light light, vec3 reference, vec2 u) {
+    if (isQuadricLight(light)) {
+        Quadric quadric = loadQuadric(light.primitive & ~kQuadricBit);
+        if (isSphereLight(quadric))
+            return sampleSphereLight(quadric, light.area, reference, u);
+        return sampleQuadricLight(quadric, light.area, reference, u);
+    }
+    return sampleTriangleLight(loadTriangle(light.primitive), light.area, reference, u);
+}
+
+/// Density per solid angle with which sampleLight chooses the direction from `reference` to a point
+/// that is seen from there.
+float lightPdf(Light light, vec3 reference, vec3 position, vec3 normal) {
+    if (isQuadricLight(light)) {
+        Quadric quadric = loadQuadric(light.primitive & ~kQuadricBit);
+        if (isSphereLight(quadric))
+            return sphereLightPdf(quadric, light.area, reference, position, normal);
+    }
+    return solidAnglePdf(light.area, reference, position, normal);
+}
+
+/// Radiance that leaves the light at a point with front `normal` in direction `w`.
+vec3 emittedRadiance(Light light, vec3 normal, vec3 w) {
+    bool emits = dot(normal, w) > 0.0 || (light.flags & kLightEmitsFromBack) != 0u;
+    return emits ? light.radiance : vec3(0.0);
+}
+
+#endif

@@ -1,0 +1,58 @@
+// A sphere lights a point outside from the cone of directions in which it is seen: uniform
+// directions in that cone (Shirley, Wang and Zimmerman 1996; PBR, 4th edition, section 6.2.4). A
+// point inside is lit by uniform points on the whole surface.
+#ifndef CALOTYPE_LIGHTS_SPHERE_LIGHT_GLSL
+#define CALOTYPE_LIGHTS_SPHERE_LIGHT_GLSL
+
+#include "core/frame.glsl"
+#include "core/trigonometry.glsl"
+#include "lights/surface_sample.glsl"
+#include "shapes/quadric.glsl"
+
+/// 1 - cos of the half angle under which a sphere is seen, from sin^2; without cancellation.
+float oneMinusConeCosine(float sin2ThetaMax) {
+    return sin2ThetaMax / (1.0 + sqrt(max(1.0 - sin2ThetaMax, 0.0)));
+}
+
+/// (r / distance)^2 as seen from `reference`: at least 1 from inside.
+float sphereSin2(Quadric sphere, vec3 reference) {
+    vec3 toReference = reference - sphere.center;
+    return sphere.radius * sphere.radius / dot(toReference, toReference);
+}
+
+/// Per solid angle, of a direction that meets the sphere at `position`.
+float sphereLightPdf(Quadric sphere, float area, vec3 reference, vec3 position, vec3 normal) {
+    float sin2ThetaMax = sphereSin2(sphere, reference);
+    return sin2ThetaMax < 1.0 ? 1.0 / (kTwoPi * oneMinusConeCosine(sin2ThetaMax))
+                              : solidAnglePdf(area, reference, position, normal);
+}
+
+/// The direction from the centre to a point seen under the angle theta off the axis makes the angle
+/// beta - theta with the axis to the reference, where sin beta = sin theta / sin thetaMax by the law
+/// of sines.
+SurfaceSample sampleSphereLight(Quadric sphere, float area, vec3 reference, vec2 u) {
+    vec3 toReference = reference - sphere.center;
+    float sin2ThetaMax = sphereSin2(sphere, reference);
+    vec2 phi = sinCosTwoPi(u.y);
+    float sinAlpha, cosAlpha;
+    if (sin2ThetaMax < 1.0) {
+        float oneMinusCos = u.x * oneMinusConeCosine(sin2ThetaMax);
+        float sin2Theta = oneMinusCos * (2.0 - oneMinusCos);
+        float sin2Beta = min(sin2Theta / sin2ThetaMax, 1.0);
+        float sinBeta = sqrt(sin2Beta);
+        float cosBeta = sqrt(1.0 - sin2Beta);
+        sinAlpha = sinBeta * (1.0 - oneMinusCos) - cosBeta * sqrt(sin2Theta);
+        cosAlpha = cosBeta * (1.0 - oneMinusCos) + sinBeta * sqrt(sin2Theta);
+    } else {
+        cosAlpha = 1.0 - 2.0 * u.x;
+        sinAlpha = 2.0 * sqrt(u.x * (1.0 - u.x));
+    }
+    float distance2 = dot(toReference, toReference);
+    vec3 axis = distance2 > 0.0 ? toReference * inversesqrt(distance2) : vec3(0.0, 1.0, 0.0);
+    vec3 direction = worldFromLocal(axis) * vec3(sinAlpha * phi.y, sinAlpha * phi.x, cosAlpha);
+    QuadricPoint point = quadricPoint(sphere, direction * worldFromQuadric(sphere));
+    float pdf = sphereLightPdf(sphere, area, reference, point.position, point.normal);
+    return SurfaceSample(point.position, point.error, point.normal, pdf);
+}
+
+#endif

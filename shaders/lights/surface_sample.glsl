@@ -1,0 +1,21 @@
+// A point chosen on an emitter.
+#ifndef CALOTYPE_LIGHTS_SURFACE_SAMPLE_GLSL
+#define CALOTYPE_LIGHTS_SURFACE_SAMPLE_GLSL
+
+struct SurfaceSample {
+    vec3 position;
+    float error; ///< bound on the distance along `normal` between `position` and the true surface
+    vec3 normal; ///< of the front
+    float pdf;   ///< per solid angle at the reference point; 0 where the point cannot be seen from it
+};
+
+/// A density per area, 1 / area, as one per solid angle (report eq. 1.36):
+/// distance^2 / (cos theta area). Zero edge on.
+float solidAnglePdf(float area, vec3 reference, vec3 position, vec3 normal) {
+    vec3 d = position - reference;
+    float distance2 = dot(d, d);
+    float projected = abs(dot(d, normal)) * area;
+    return projected > 0.0 ? distance2 * sqrt(distance2) / projected : 0.0;
+}
+
+#endif

@@ -1,0 +1,62 @@
+// The packed scene's texel buffers, and reading a struct from its rows. The order of the rows is that
+// of the fields in shared/scene_structs.h; tests/gpu echoes every field back.
+#ifndef CALOTYPE_SCENE_BUFFERS_GLSL
+#define CALOTYPE_SCENE_BUFFERS_GLSL
+
+#include "shared/bindings.h"
+#include "shared/scene_structs.h"
+
+layout(set = 0, binding = kBindingNodes) uniform usamplerBuffer nodeRows;
+layout(set = 0, binding = kBindingTriangles) uniform usamplerBuffer triangleRows;
+layout(set = 0, binding = kBindingTriangleNormals) uniform usamplerBuffer triangleNormalRows;
+layout(set = 0, binding = kBindingQuadrics) uniform usamplerBuffer quadricRows;
+layout(set = 0, binding = kBindingMaterials) uniform usamplerBuffer materialRows;
+layout(set = 0, binding = kBindingLights) uniform usamplerBuffer lightRows;
+
+vec3 floats(uvec4 row) { return uintBitsToFloat(row.xyz); }
+
+BvhNode loadNode(uint index) {
+    uvec4 row0 = texelFetch(nodeRows, int(2u * index));
+    uvec4 row1 = texelFetch(nodeRows, int(2u * index + 1u));
+    return BvhNode(floats(row0), row0.w, floats(row1), row1.w);
+}
+
+Triangle loadTriangle(uint index) {
+    uvec4 row0 = texelFetch(triangleRows, int(3u * index));
+    uvec4 row1 = texelFetch(triangleRows, int(3u * index + 1u));
+    uvec4 row2 = texelFetch(triangleRows, int(3u * index + 2u));
+    return Triangle(floats(row0), row0.w, floats(row1), row1.w, floats(row2), row2.w);
+}
+
+TriangleNormals loadTriangleNormals(uint index) {
+    uvec4 row0 = texelFetch(triangleNormalRows, int(3u * index));
+    uvec4 row1 = texelFetch(triangleNormalRows, int(3u * index + 1u));
+    uvec4 row2 = texelFetch(triangleNormalRows, int(3u * index + 2u));
+    return TriangleNormals(floats(row0), row0.w, floats(row1), row1.w, floats(row2), row2.w);
+}
+
+Quadric loadQuadric(uint index) {
+    uvec4 row0 = texelFetch(quadricRows, int(5u * index));
+    uvec4 row1 = texelFetch(quadricRows, int(5u * index + 1u));
+    uvec4 row2 = texelFetch(quadricRows, int(5u * index + 2u));
+    uvec4 row3 = texelFetch(quadricRows, int(5u * index + 3u));
+    uvec4 row4 = texelFetch(quadricRows, int(5u * index + 4u));
+    return Quadric(floats(row0), uintBitsToFloat(row0.w), floats(row1), uintBitsToFloat(row1.w),
+                   floats(row2), row2.w, floats(row3), uintBitsToFloat(row3.w), row4.x, row4.y,
+                   row4.z, row4.w);
+}
+
+Material loadMaterial(uint index) {
+    uvec4 row0 = texelFetch(materialRows, int(index));
+    return Material(floats(row0), row0.w);
+}
+
+Light loadLight(uint index) {
+    uvec4 row0 = texelFetch(lightRows, int(3u * index));
+    uvec4 row1 = texelFetch(lightRows, int(3u * index + 1u));
+    uvec4 row2 = texelFetch(lightRows, int(3u * index + 2u));
+    return Light(floats(row0), row0.w, uintBitsToFloat(row1.x), uintBitsToFloat(row1.y),
+                 uintBitsToFloat(row1.z), row1.w, row2.x, row2.y, row2.z, row2.w);
+}
+
+#endif

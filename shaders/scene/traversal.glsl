@@ -1,0 +1,110 @@
+// Through the flattened BVH: the closest hit, or whether there is any.
+//
+// A node's box is passed where the ray's intervals between its three pairs of planes overlap. Each
+// plane's parameter (b - o) * (1 / d) carries at most gamma_5 of relative error (difference,
+// reciprocal of at most 2.5 ULP, product); widening the far side by twice that keeps every box that
+// exact arithmetic would pass (Ize 2013, "Robust BVH Ray Traversal"). Components of the direction
+// below 1e-18 are replaced before the reciprocal, so axis-parallel rays meet no NaN and no infinity.
+#ifndef CALOTYPE_SCENE_TRAVERSAL_GLSL
+#define CALOTYPE_SCENE_TRAVERSAL_GLSL
+
+#include "core/ray.glsl"
+#include "scene/buffers.glsl"
+#include "scene/features.glsl"
+#include "shapes/quadric.glsl"
+#include "shapes/triangle.glsl"
+#include "shared/limits.h"
+
+struct Hit {
+    float t;
+    uint primitive; ///< as kQuadricBit says; kNone for no hit
+};
+
+struct NodeRay {
+    vec3 origin;
+    vec3 inverse;
+};
+
+const float kFarWidening = 1.0 + 2.0 * GAMMA(5.0);
+
+/// Parameter at which the ray enters the node's box, or kFar if it misses it before tMax.
+float enterNode(NodeRay ray, BvhNode node, float tMax) {
+    vec3 toLower = (node.lower - ray.origin) * ray.inverse;
+    vec3 toUpper = (node.upper - ray.origin) * ray.inverse;
+    vec3 entry = min(toLower, toUpper);
+    vec3 exit = max(toLower, toUpper) * kFarWidening;
+    float enter = max(max(entry.x, entry.y), max(entry.z, 0.0));
+    float leave = min(min(exit.x, exit.y), min(exit.z, tMax));
+    return enter <= leave ? enter : kFar;
+}
+
+/// Parameter of the ray's crossing with one primitive, or kFar.
+float intersectPrimitive(uint primitive, Ray ray, ShearedRay sheared) {
+    if (hasQuadrics && (!hasTriangles || (primitive & kQuadricBit) != 0u)) {
+        Quadric quadric = loadQuadric(primitive & ~kQuadricBit);
+        return intersectQuadric(quadric, ray.origin, ray.direction);
+    }
+    Triangle triangle = loadTriangle(primitive);
+    return intersectTriangle(sheared, triangle.v0, triangle.v1, triangle.v2).t;
+}
+
+/// Walks the tree: down to a leaf, nearer child first, then through the leaf's primitives, then on
+/// with the last node put aside. `anyHit` ends at the first hit; `skipped` is never hit.
+///
+/// `iterations` counts what llvmpipe has a limit on: the passes through loop bodies, and the last
+/// look at a loop's condition, of the subgroup as a whole; hence the maxima after each loop.
+Hit traverse(Ray ray, bool anyHit, uint skipped, inout uint iterations) {
+    NodeRay nodeRay = NodeRay(ray.origin, safeReciprocal(ray.direction));
+    ShearedRay sheared = shearedRay(ray.origin, ray.direction);
+    Hit hit = Hit(ray.tMax, kNone);
+    uint stack[kMaxBvhDepth];
+    uint stackSize = 0u;
+    BvhNode node = loadNode(0u);
+    bool searching = true;
+    do {
+        while (searching && node.count == 0u) {
+            BvhNode left = loadNode(node.first);
+            BvhNode right = loadNode(node.first + 1u);
+            float enterLeft = enterNode(nodeRay, left, hit.t);
+            float enterRight = enterNode(nodeRay, right, hit.t);
+            bool leftFirst = enterLeft <= enterRight;
+            stack[stackSize] = leftFirst ? node.first + 1u : node.first;
+            stackSize += max(enterLeft, enterRight) < kFar ? 1u : 0u;
+            if (leftFirst)
+                node = left;
+            else
+                node = right;
+            if (min(enterLeft, enterRight) == kFar) {
+                searching = stackSize > 0u;
+                if (searching)
+                    node = loadNode(stack[--stackSize]);
+            }
+            iterations++;
+        }
+        iterations = subgroupMax(iterations) + 1u;
+        for (uint i = 0u; searching && i < node.count; ++i) {
+            uint primitive = node.first + i;
+            float t = intersectPrimitive(primitive, ray, sheared);
+            if (t < hit.t && primitive != skipped)
+                hit = Hit(t, primitive);
+            iterations++;
+        }
+        iterations = subgroupMax(iterations) + 2u;
+        searching = searching && stackSize > 0u && !(anyHit && hit.primitive != kNone);
+        if (searching)
+            node = loadNode(stack[--stackSize]);
+    } while (searching);
+    iterations = subgroupMax(iterations);
+    return hit;
+}
+
+Hit intersectClosest(Ray ray, inout uint iterations) {
+    return traverse(ray, false, kNone, iterations);
+}
+
+/// True if anything but the primitive `target` lies between the ray's ends.
+bool isOccluded(Ray ray, uint target, inout uint iterations) {
+    return traverse(ray, true, target, iterations).primitive != kNone;
+}
+
+#endif

@@ -1,0 +1,74 @@
+// Closed cone with its apex at the origin: x^2 + z^2 <= k^2 y^2 for y between 0 and the signed
+// height h (report eq. 1.10 to 1.15). The solid is convex, so a line is inside it on one interval.
+//     f(t) = x^2 + z^2 - k^2 y^2:  a = dx^2 + dz^2 - k^2 dy^2,  b = ox dx + oz dz - k^2 oy dy,
+//     D = k^2 (mx^2 + mz^2) - my^2  with the moment m = o x d.
+// Three cases of the leading coefficient:
+//   a > 0  the line is flatter than the surface: inside between the roots, all in one nappe;
+//   a < 0  steeper: outside between the roots, and inside our nappe beyond the root that lies in
+//          the direction in which the line climbs towards the base;
+//   a = 0  parallel to a line of the surface: the case a < 0 with one root at infinity.
+// The mirror nappe never counts: in the first case the slab 0 <= y / h <= 1 rejects it, in the
+// second the half line chosen is not in it. The slab and the surface are cut by intersecting
+// intervals, so no ray passes between side and base at the rim.
+#ifndef CALOTYPE_SHAPES_CONE_GLSL
+#define CALOTYPE_SHAPES_CONE_GLSL
+
+#include "shapes/local_ray.glsl"
+#include "shapes/quadratic.glsl"
+#include "shapes/slab.glsl"
+
+/// Parameter of the first crossing of side or base, or kFar.
+float intersectCone(LocalRay ray, float height, float slope) {
+    float towardBase = height < 0.0 ? -1.0 : 1.0;
+    vec3 o = vec3(ray.origin.x, ray.origin.y * towardBase, ray.origin.z);
+    vec3 d = vec3(ray.direction.x, ray.direction.y * towardBase, ray.direction.z);
+    float kk = slope * slope;
+    vec3 moment = cross(o, d);
+    float a = dot(d.xz, d.xz) - kk * d.y * d.y;
+    float b = dot(o.xz, d.xz) - kk * o.y * d.y;
+    float oo = dot(o.xz, o.xz);
+    float kyy = kk * o.y * o.y;
+    float cError = GAMMA(6.0) * (oo + kyy) +
+                   2.0 * (dot(abs(o.xz), ray.error.xz) + kk * abs(o.y) * ray.error.y);
+    float discriminant = kk * dot(moment.xz, moment.xz) - moment.y * moment.y;
+    a = a == 0.0 ? -1e-30 : a;
+    float near, far;
+    bool hit = quadraticRoots(a, b, oo - kyy, cError, discriminant, near, far);
+    float first = min(near, far);
+    float second = max(near, far);
+    vec2 side = a > 0.0 ? vec2(first, second) : d.y > 0.0 ? vec2(second, kFar) : vec2(-kFar, first);
+    float yError = ray.error.y + GAMMA(2.0) * abs(o.y);
+    vec2 base = slabInterval(o.y, d.y, 0.0, abs(height), yError);
+    return hit ? firstCrossing(vec2(max(side.x, base.x), min(side.y, base.y))) : kFar;
+}
+
+/// True where p is nearer to the base than to the side.
+bool isOnConeBase(vec3 p, float height, float slope) {
+    float toSide = abs(length(p.xz) - slope * abs(p.y)) * inversesqrt(1.0 + slope * slope);
+    return abs(p.y - height) < toSide;
+}
+
+vec3 projectOntoCone(vec3 p, float height, float slope) {
+    if (isOnConeBase(p, height, slope))
+        return vec3(p.x, height, p.z);
+    // Along the side's normal: with n = (1, -k) / sqrt(1 + k^2) in (radius, |y|).
+    float radius = length(p.xz);
+    float distance = (radius - slope * abs(p.y)) / (1.0 + slope * slope);
+    float y = abs(p.y) + slope * distance;
+    vec2 outward = radius > 0.0 ? p.xz / radius : vec2(0.0);
+    return vec3(outward * (slope * y), height < 0.0 ? -y : y).xzy;
+}
+
+/// Outward unit normal at a point near the surface. The apex's is the axis, away from the base.
+vec3 coneNormal(vec3 p, float height, float slope) {
+    float towardBase = height < 0.0 ? -1.0 : 1.0;
+    if (isOnConeBase(p, height, slope))
+        return vec3(0.0, towardBase, 0.0);
+    float radius = length(p.xz);
+    if (radius == 0.0)
+        return vec3(0.0, -towardBase, 0.0);
+    float scale = inversesqrt(1.0 + slope * slope);
+    return vec3(p.x / radius * scale, -towardBase * slope * scale, p.z / radius * scale);
+}
+
+#endif

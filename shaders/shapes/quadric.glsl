@@ -1,0 +1,65 @@
+// The closed list of quadrics and disks: their intersection, surface and normal by kind.
+#ifndef CALOTYPE_SHAPES_QUADRIC_GLSL
+#define CALOTYPE_SHAPES_QUADRIC_GLSL
+
+#include "scene/features.glsl"
+#include "shapes/cone.glsl"
+#include "shapes/cylinder.glsl"
+#include "shapes/disk.glsl"
+#include "shapes/sphere.glsl"
+#include "shared/scene_structs.h"
+
+mat3 worldFromQuadric(Quadric quadric) {
+    return mat3(quadric.axisX, quadric.axisY, quadric.axisZ);
+}
+
+/// Parameter of the first crossing along origin + t direction, or kFar.
+float intersectQuadric(Quadric quadric, vec3 origin, vec3 direction) {
+    LocalRay ray = localRay(origin, direction, quadric.center, worldFromQuadric(quadric));
+    if (hasSpheres && quadric.kind == kSphere)
+        return intersectSphere(ray, quadric.radius);
+    if (hasCylinders && quadric.kind == kCylinder)
+        return intersectCylinder(ray, quadric.radius, quadric.extent);
+    if (hasCones && quadric.kind == kCone)
+        return intersectCone(ray, quadric.extent, quadric.slope);
+    if (hasDisks && quadric.kind == kDisk)
+        return intersectDisk(ray, quadric.radius);
+    return kFar;
+}
+
+/// A point on a quadric, in the world.
+struct QuadricPoint {
+    vec3 position;
+    float error; ///< bound on the distance along `normal` between `position` and the true surface
+    vec3 normal; ///< outward; along the axis for a disk
+};
+
+/// The surface point nearest to `p`, which is given in the quadric's frame. Error: projection and
+/// rotation take at most eight operations on numbers no larger than the shape, the sum with the
+/// centre one more on its coordinates.
+QuadricPoint quadricPoint(Quadric quadric, vec3 p) {
+    vec3 normal = vec3(0.0, 1.0, 0.0);
+    if (hasSpheres && quadric.kind == kSphere) {
+        p = projectOntoSphere(p, quadric.radius);
+        normal = sphereNormal(p);
+    } else if (hasCylinders && quadric.kind == kCylinder) {
+        normal = cylinderNormal(p, quadric.radius, quadric.extent);
+        p = projectOntoCylinder(p, quadric.radius, quadric.extent);
+    } else if (hasCones && quadric.kind == kCone) {
+        normal = coneNormal(p, quadric.extent, quadric.slope);
+        p = projectOntoCone(p, quadric.extent, quadric.slope);
+    } else {
+        p.y = 0.0;
+    }
+    mat3 worldFromLocal = worldFromQuadric(quadric);
+    vec3 offset = worldFromLocal * p;
+    QuadricPoint point;
+    point.position = quadric.center + offset;
+    point.normal = normalize(worldFromLocal * normal);
+    vec3 magnitude = abs(worldFromLocal[0] * p.x) + abs(worldFromLocal[1] * p.y) +
+                     abs(worldFromLocal[2] * p.z);
+    point.error = dot(abs(point.normal), GAMMA(12.0) * magnitude + GAMMA(2.0) * abs(point.position));
+    return point;
+}
+
+#endif

@@ -1,0 +1,28 @@
+// Sizes on which host and kernels must agree.
+#ifndef CALOTYPE_SHARED_LIMITS_H
+#define CALOTYPE_SHARED_LIMITS_H
+
+#include "shared/types.h"
+
+CALOTYPE_BEGIN_SHARED
+
+/// Consecutive absolute sample indices summed in one storage image before the film takes them.
+CALOTYPE_CONSTANT uint kSamplesPerBlock = 16;
+
+/// Pixels on a side of the square tile that one workgroup owns.
+CALOTYPE_CONSTANT uint kTileSize = 8;
+
+/// Deepest node of a BVH below its root, which bounds the traversal stack.
+CALOTYPE_CONSTANT uint kMaxBvhDepth = 32;
+
+/// Primitives in a leaf, at most.
+CALOTYPE_CONSTANT uint kMaxLeafPrimitives = 4;
+
+/// llvmpipe gives a subgroup 65,535 loop iterations per dispatch and silently skips the rest. Past
+/// the first count a pixel takes up no new sample, past the second a path is cut and counted.
+CALOTYPE_CONSTANT uint kIterationsBeforePause = 30000;
+CALOTYPE_CONSTANT uint kIterationsBeforeCut = 60000;
+
+CALOTYPE_END_SHARED
+
+#endif

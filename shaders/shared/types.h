@@ -1,0 +1,29 @@
+// The types in which host and kernels share structs: one spelling for C++ and GLSL.
+#ifndef CALOTYPE_SHARED_TYPES_H
+#define CALOTYPE_SHARED_TYPES_H
+
+#ifdef __cplusplus
+#include <cstdint>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+namespace calotype::gpu {
+using glm::uvec2;
+using glm::uvec4;
+using glm::vec3;
+using glm::vec4;
+using uint = uint32_t;
+} // namespace calotype::gpu
+
+#define CALOTYPE_BEGIN_SHARED namespace calotype::gpu {
+#define CALOTYPE_END_SHARED }
+#define CALOTYPE_CONSTANT inline constexpr
+#else
+#define CALOTYPE_BEGIN_SHARED
+#define CALOTYPE_END_SHARED
+#define CALOTYPE_CONSTANT const
+#endif
+
+#endif

@@ -1,0 +1,204 @@
+#include "film/film.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "shared/limits.h"
+
+namespace calotype {
+namespace {
+
+constexpr float kWhole = gpu::kSamplesPerBlock;
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+using Block = std::vector<glm::vec4>;
+
+Block uniformBlock(size_t pixels, const glm::vec3& sum) {
+    return Block(pixels, glm::vec4(sum, kWhole));
+}
+
+std::vector<Film::Sum> sumsOf(const Film& film) {
+    return {film.sums().begin(), film.sums().end()};
+}
+
+TEST(FilmUnit, IsTheLeastPowerOfTwoThatReachesTheLight) {
+    EXPECT_EQ(filmUnit(0.0), 1.0);
+    EXPECT_EQ(filmUnit(1.0), 1.0);
+    EXPECT_EQ(filmUnit(1.0000001), 2.0);
+    EXPECT_EQ(filmUnit(20.0), 32.0);
+    EXPECT_EQ(filmUnit(0.3), 0.5);
+    EXPECT_EQ(filmUnit(0.25), 0.25);
+    EXPECT_EQ(filmUnit(1e300), 0x1p127);
+    EXPECT_EQ(filmUnit(1e-300), 0x1p-126);
+}
+
+TEST(Film, StartsBlack) {
+    const Film film(3, 2, 1.0);
+    const Image image = film.picture();
+    EXPECT_EQ(image.width, 3u);
+    EXPECT_EQ(image.height, 2u);
+    EXPECT_EQ(image.pixels, std::vector<glm::vec3>(6, glm::vec3(0.0f)));
+    EXPECT_EQ(film.blocks(), 0u);
+}
+
+TEST(Film, PictureIsTheMeanOfItsSamples) {
+    Film film(2, 1, 32.0);
+    film.addBlock(Block{{16, 32, -48, kWhole}, {0, 8, 1, kWhole}});
+    film.addBlock(Block{{48, 0, 16, kWhole}, {16, 8, 1, kWhole}});
+    EXPECT_EQ(film.blocks(), 2u);
+    EXPECT_EQ(film.samplesPerPixel(), 32u);
+    EXPECT_EQ(film.picture().at(0, 0), glm::vec3(2, 1, -1));
+    EXPECT_EQ(film.picture().at(1, 0), glm::vec3(0.5f, 0.5f, 0.0625f));
+}
+
+TEST(Film, IsBitForBitTheSameInAnyOrderOfBlocks) {
+    constexpr size_t kPixels = 12;
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> mantissa(-1.0f, 1.0f);
+    std::uniform_int_distribution<int> exponent(-70, 39);
+    std::vector<Block> blocks(60, Block(kPixels));
+    for (Block& block : blocks)
+        for (glm::vec4& pixel : block) {
+            for (int channel = 0; channel < 3; ++channel)
+                pixel[channel] = std::ldexp(mantissa(random), exponent(random));
+            pixel.w = kWhole;
+        }
+    const auto filmOf = [&] {
+        Film film(4, 3, 1.0);
+        for (const Block& block : blocks)
+            film.addBlock(block);
+        return film;
+    };
+    const Film first = filmOf();
+    for (int order = 0; order < 20; ++order) {
+        std::shuffle(blocks.begin(), blocks.end(), random);
+        const Film other = filmOf();
+        EXPECT_TRUE(sumsOf(other) == sumsOf(first));
+        EXPECT_EQ(other.picture().pixels, first.picture().pixels);
+    }
+}
+
+TEST(Film, DoesNotDriftOverAMillionBlocks) {
+    constexpr int kBlocks = 1'000'000;
+    Film film(1, 1, 4.0);
+    const Block block = uniformBlock(1, {0.1f, -0.7f, 3.0f});
+    for (int i = 0; i < kBlocks; ++i)
+        film.addBlock(block);
+    // 0.1f = 13421773 * 2^-27 and 0.7f = 11744051 * 2^-24; the unit takes 2 of the 64 bits.
+    const Film::Sum& sum = film.sums()[0];
+    EXPECT_TRUE(sum.r == (FixedPoint{13421773} * kBlocks) << (64 - 27 - 2));
+    EXPECT_TRUE(sum.g == -((FixedPoint{11744051} * kBlocks) << (64 - 24 - 2)));
+    EXPECT_TRUE(sum.b == (FixedPoint{3} * kBlocks) << (64 - 2));
+    EXPECT_EQ(film.picture().at(0, 0), glm::vec3(0.1f, -0.7f, 3.0f) / kWhole);
+}
+
+TEST(Film, KeepsDarkPixelsBesideABrightUnit) {
+    Film film(2, 1, filmUnit(1e6));
+    const glm::vec3 dark(1e-6f, 3e-6f, 7e-5f); // all above 2^-41 units, which is 4.8e-7
+    Block block = uniformBlock(2, dark);
+    block[1] = glm::vec4(1e9f, 2e9f, 3e9f, kWhole);
+    for (int i = 0; i < 1000; ++i)
+        film.addBlock(block);
+    EXPECT_EQ(film.picture().at(0, 0), dark / kWhole);
+    EXPECT_EQ(film.picture().at(1, 0), glm::vec3(block[1]) / kWhole);
+}
+
+TEST(Film, RoundsBelowItsExactRangeByAtMostHalfAStep) {
+    Film film(1, 1, 1.0);
+    const float tiny = 0x1.234566p-60f;
+    film.addBlock(uniformBlock(1, glm::vec3(tiny)));
+    EXPECT_LE(std::abs(fromFixedPoint(film.sums()[0].r) - tiny), 0x1p-65);
+}
+
+TEST(Film, CountsWhatIsNotFiniteAndAddsNothing) {
+    Film film(4, 1, 1.0);
+    film.addBlock(uniformBlock(4, glm::vec3(16.0f)));
+    film.addBlock(Block{{NAN, 16, 16, kWhole},
+                        {16, kInfinity, 16, kWhole},
+                        {16, 16, -kInfinity, kWhole},
+                        {16, 16, 16, kWhole}});
+    EXPECT_EQ(film.nonFinitePixels(), 3u);
+    EXPECT_EQ(film.overflowedPixels(), 0u);
+    for (uint32_t x = 0; x < 3; ++x)
+        EXPECT_EQ(film.picture().at(x, 0), glm::vec3(0.5f)) << "16 of 32 samples add zero";
+    EXPECT_EQ(film.picture().at(3, 0), glm::vec3(1.0f));
+}
+
+TEST(Film, CountsWhatIsOutOfRangeAndAddsNothing) {
+    Film film(4, 1, 2.0);
+    const float limit = 0x1p41f;
+    const float below = std::nextafter(limit, 0.0f);
+    film.addBlock(Block{{below, -below, below, kWhole},
+                        {0, limit, 0, kWhole},
+                        {0, 0, -limit, kWhole},
+                        {std::numeric_limits<float>::max(), 0, 0, kWhole}});
+    EXPECT_EQ(film.overflowedPixels(), 3u);
+    EXPECT_EQ(film.nonFinitePixels(), 0u);
+    EXPECT_EQ(film.picture().at(0, 0), glm::vec3(below, -below, below) / kWhole);
+    for (uint32_t x = 1; x < 4; ++x)
+        EXPECT_EQ(film.picture().at(x, 0), glm::vec3(0.0f));
+}
+
+TEST(FilmDeathTest, HoldsItsLimitOfTheBrightestBlocksAndNoMore) {
+    Film film(1, 1, 1.0);
+    const float brightest = std::nextafter(0x1p40f, 0.0f); // (2^24 - 1) * 2^16
+    const Block block = uniformBlock(1, {brightest, -brightest, 0.0f});
+    for (uint64_t i = 0; i < Film::kMaxBlocks; ++i)
+        film.addBlock(block);
+    const FixedPoint expected = FixedPoint{0xffffff} << (16 + 64 + 23);
+    EXPECT_TRUE(film.sums()[0].r == expected);
+    EXPECT_TRUE(film.sums()[0].g == -expected);
+    EXPECT_DEATH(film.addBlock(block), "check failed: blocks_");
+}
+
+TEST(Film, TakesTheExtremesOfUnitAndRadiance) {
+    const float smallest = std::numeric_limits<float>::denorm_min();
+    const float largest = std::numeric_limits<float>::max();
+    Film dim(1, 1, 0x1p-126);
+    dim.addBlock(uniformBlock(1, {smallest, largest, 0.0f}));
+    dim.addBlock(uniformBlock(1, {smallest, 0.0f, 0.0f}));
+    EXPECT_EQ(dim.overflowedPixels(), 1u);
+    EXPECT_EQ(fromFixedPoint(dim.sums()[0].r) * dim.unit(), smallest);
+    Film bright(1, 1, 0x1p127);
+    bright.addBlock(uniformBlock(1, {largest, smallest, 0.0f}));
+    EXPECT_EQ(bright.picture().at(0, 0).r, largest / kWhole);
+    EXPECT_EQ(bright.overflowedPixels(), 0u);
+}
+
+TEST(Film, ShowsAPartialBlockInThePictureOnly) {
+    Film film(4, 1, 1.0);
+    const Block partial = {{2, 4, 6, 2}, {8, 8, 8, 8}, {0, 0, 0, 0}, {NAN, 1, 1, 4}};
+    EXPECT_EQ(film.picture(partial).pixels,
+              (std::vector<glm::vec3>{{1, 2, 3}, {1, 1, 1}, {0, 0, 0}, {0, 0, 0}}));
+
+    film.addBlock(uniformBlock(4, glm::vec3(32.0f)));
+    const std::vector<Film::Sum> before = sumsOf(film);
+    const Image image = film.picture(partial);
+    EXPECT_EQ(image.at(0, 0), glm::vec3(34.0f, 36.0f, 38.0f) / 18.0f);
+    EXPECT_EQ(image.at(1, 0), glm::vec3(40.0f / 24.0f));
+    EXPECT_EQ(image.at(2, 0), glm::vec3(2.0f));
+    EXPECT_EQ(image.at(3, 0), glm::vec3(32.0f / 20.0f));
+    EXPECT_TRUE(sumsOf(film) == before);
+    EXPECT_EQ(film.blocks(), 1u);
+    EXPECT_EQ(film.nonFinitePixels(), 0u);
+    EXPECT_EQ(film.picture().at(1, 0), glm::vec3(2.0f));
+}
+
+TEST(FilmDeathTest, RefusesBlocksThatAreNotWhole) {
+    Film film(2, 1, 1.0);
+    Block block = uniformBlock(2, glm::vec3(1.0f));
+    block[1].w = kWhole - 1;
+    EXPECT_DEATH(film.addBlock(block), "check failed: block.w");
+    EXPECT_DEATH(film.addBlock(uniformBlock(1, glm::vec3(1.0f))), "check failed");
+    EXPECT_DEATH(film.picture(uniformBlock(1, glm::vec3(1.0f))), "check failed");
+    EXPECT_DEATH(Film(2, 1, 3.0), "check failed");
+}
+
+} // namespace
+} // namespace calotype

@@ -1,0 +1,113 @@
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_PNG
+#include <stb/stb_image.h>
+
+#include "base/error.h"
+#include "image/image_format.h"
+#include "image/pfm.h"
+#include "image/png.h"
+#include "unit/image_scratch_folder.h"
+
+namespace calotype {
+namespace {
+
+using test::readBytes;
+using test::ScratchFolder;
+using test::writeBytes;
+
+TEST(ImageFormat, IsNamedByTheExtensionInAnyCase) {
+    EXPECT_EQ(imageFormatOf("a/b.png"), ImageFormat::Png);
+    EXPECT_EQ(imageFormatOf("b.EXR"), ImageFormat::Exr);
+    EXPECT_EQ(imageFormatOf("b.old.Pfm"), ImageFormat::Pfm);
+    for (const char* unknown : {"b.jpg", "png", ".png", "b.png/c", "b.png.", ""})
+        EXPECT_EQ(imageFormatOf(unknown), std::nullopt) << unknown;
+}
+
+TEST(Png, IsDecodedToTheSamePixels) {
+    Rgb8Image image(37, 23);
+    for (uint32_t y = 0; y < image.height; ++y)
+        for (uint32_t x = 0; x < image.width; ++x)
+            image.at(x, y) = {x * 6, y * 11, (x * 31 + y * 57) % 256};
+    const ScratchFolder folder;
+    writePng(folder / "a.png", image);
+
+    int width = 0, height = 0, channels = 0;
+    stbi_uc* pixels = stbi_load((folder / "a.png").c_str(), &width, &height, &channels, 0);
+    ASSERT_NE(pixels, nullptr);
+    EXPECT_EQ(width, 37);
+    EXPECT_EQ(height, 23);
+    EXPECT_EQ(channels, 3);
+    EXPECT_EQ(std::memcmp(pixels, image.pixels.data(), image.pixels.size() * 3), 0);
+    stbi_image_free(pixels);
+}
+
+TEST(Png, RefusesMorePixelsThanItsEncoderCounts) {
+    Rgb8Image image(1, 1);
+    image.width = image.height = 30000;
+    const ScratchFolder folder;
+    try {
+        writePng(folder / "a.png", image);
+        ADD_FAILURE() << "nothing was thrown";
+    } catch (const OutputError& error) {
+        EXPECT_NE(std::string(error.what()).find("too many for a PNG"), std::string::npos);
+    }
+}
+
+TEST(Pfm, IsLittleEndianFromTheBottomRow) {
+    Image image(1, 2);
+    image.at(0, 0) = {1.0f, 2.0f, 3.0f};
+    image.at(0, 1) = {-4.0f, 5.0f, 6.0f};
+    const ScratchFolder folder;
+    writePfm(folder / "a.pfm", image);
+    const std::string expected("PF\n1 2\n-1.0\n"
+                               "\0\0\x80\xc0\0\0\xa0\x40\0\0\xc0\x40"
+                               "\0\0\x80\x3f\0\0\0\x40\0\0\x40\x40",
+                               12 + 24);
+    EXPECT_EQ(readBytes(folder / "a.pfm"), expected);
+}
+
+TEST(Pfm, ComesBackBitForBit) {
+    const float infinity = std::numeric_limits<float>::infinity();
+    Image image(3, 2);
+    image.pixels = {{-1.5f, 1e-30f, 1e30f},
+                    {std::nanf("7"), infinity, -infinity},
+                    {-0.0f, 1e-42f, 0.1f},
+                    {1, 2, 3},
+                    {4, 5, 6},
+                    {7, 8, 9}};
+    const ScratchFolder folder;
+    writePfm(folder / "a.pfm", image);
+    const Image read = readPfm(folder / "a.pfm");
+    ASSERT_EQ(read.width, 3u);
+    ASSERT_EQ(read.height, 2u);
+    EXPECT_EQ(std::memcmp(read.pixels.data(), image.pixels.data(), 6 * sizeof(glm::vec3)), 0);
+}
+
+TEST(Pfm, ReadsBigEndian) {
+    const ScratchFolder folder;
+    writeBytes(folder / "a.pfm", std::string("PF 1 1 1.0\n\x3f\x80\0\0\x40\0\0\0\xc0\x40\0\0", 23));
+    EXPECT_EQ(readPfm(folder / "a.pfm").at(0, 0), glm::vec3(1.0f, 2.0f, -3.0f));
+}
+
+TEST(Pfm, RefusesWhatIsNotWhole) {
+    const ScratchFolder folder;
+    EXPECT_THROW(readPfm(folder / "missing.pfm"), SceneError);
+    const std::string pixel(12, '\0');
+    for (const std::string& bytes :
+         {std::string(), std::string("PF\n1 1\n"), "Pf\n1 1\n-1\n" + pixel, "PF\n0 1\n-1\n" + pixel,
+          "PF\n1 1\n0\n" + pixel, "PF\n2 1\n-1\n" + pixel, "PF\n1 1\n-1\n" + pixel + "x",
+          "PF\n4294967295 4294967295\n-1\n" + pixel}) {
+        writeBytes(folder / "a.pfm", bytes);
+        EXPECT_THROW(readPfm(folder / "a.pfm"), SceneError) << bytes;
+    }
+}
+
+} // namespace
+} // namespace calotype

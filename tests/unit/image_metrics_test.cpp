@@ -1,0 +1,58 @@
+#include "image/metrics.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+
+namespace calotype {
+namespace {
+
+Image make(uint32_t width, uint32_t height, std::vector<glm::vec3> pixels) {
+    Image image(width, height);
+    image.pixels = std::move(pixels);
+    return image;
+}
+
+TEST(ImageMean, AveragesEachChannelInDouble) {
+    EXPECT_EQ(imageMean(make(2, 1, {{1, 2, 3}, {3, 6, -3}})), glm::dvec3(2, 4, 0));
+    EXPECT_EQ(imageMean(make(2, 1, {{16777216, 0, 0}, {1, 0, 0}})).r, 8388608.5);
+    EXPECT_THROW(imageMean(Image()), Error);
+}
+
+TEST(RelativeMse, WeighsByTheReference) {
+    const Image reference = make(2, 1, {{0, 1, 2}, {0, 0, 0}});
+    const Image test = make(2, 1, {{0.1f, 1.5f, 0}, {0, 0, 0}});
+    const double expected = (0.01 / 0.01 + 0.25 / 1.01 + 4.0 / 4.01) / 6.0;
+    EXPECT_NEAR(relativeMse(test, reference), expected, 1e-8); // 0.1f is off by 1.5e-9
+    EXPECT_EQ(relativeMse(reference, reference), 0.0);
+}
+
+TEST(RelativeMse, LetsANanThrough) {
+    EXPECT_TRUE(std::isnan(relativeMse(make(1, 1, {{NAN, 0, 0}}), make(1, 1, {{0, 0, 0}}))));
+}
+
+TEST(RelativeMse, RefusesOtherSizes) {
+    EXPECT_THROW(relativeMse(Image(2, 3), Image(3, 2)), Error);
+    EXPECT_THROW(relativeMse(Image(), Image()), Error);
+}
+
+TEST(BoxDownsample, AveragesSquares) {
+    const Image image = make(
+        4, 2,
+        {{1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {0, 1, 0}, {3, 0, 4}, {6, 0, 0}, {0, 1, 0}, {0, 5, 0}});
+    const Image small = boxDownsample(image, 2);
+    ASSERT_EQ(small.width, 2u);
+    ASSERT_EQ(small.height, 1u);
+    EXPECT_EQ(small.at(0, 0), glm::vec3(3, 0, 1));
+    EXPECT_EQ(small.at(1, 0), glm::vec3(0, 2, 0));
+}
+
+TEST(BoxDownsample, RefusesAFactorThatDoesNotDivide) {
+    EXPECT_THROW(boxDownsample(Image(4, 2), 4), Error);
+    EXPECT_THROW(boxDownsample(Image(4, 2), 0), Error);
+}
+
+} // namespace
+} // namespace calotype

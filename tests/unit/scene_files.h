@@ -1,0 +1,92 @@
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include "base/error.h"
+#include "scene/load.h"
+
+namespace calotype::test {
+
+/// A directory of its own for the files of one test, gone with it.
+class SceneFiles {
+public:
+    SceneFiles() {
+        std::string pattern = (std::filesystem::temp_directory_path() / "calotype-XXXXXX").string();
+        directory_ = mkdtemp(pattern.data());
+    }
+    ~SceneFiles() { std::filesystem::remove_all(directory_); }
+    SceneFiles(const SceneFiles&) = delete;
+    SceneFiles& operator=(const SceneFiles&) = delete;
+
+    std::string path(const std::string& name) const { return (directory_ / name).string(); }
+
+    std::string write(const std::string& name, const std::string& text) const {
+        std::filesystem::create_directories((directory_ / name).parent_path());
+        std::ofstream(directory_ / name, std::ios::binary) << text;
+        return path(name);
+    }
+
+    Scene loadText(const std::string& text, const LoadOptions& options = {}) const {
+        return loadScene(write("scene.json", text), options);
+    }
+    Scene load(const nlohmann::json& scene, const LoadOptions& options = {}) const {
+        return loadText(scene.dump(), options);
+    }
+
+private:
+    std::filesystem::path directory_;
+};
+
+/// The SceneError that `action` throws; a failure of the test and an empty one if it throws none.
+template <typename Action>
+SceneError errorOf(Action&& action) {
+    try {
+        action();
+    } catch (const SceneError& error) {
+        return error;
+    }
+    ADD_FAILURE() << "no SceneError was thrown";
+    return {"", ""};
+}
+
+/// Expects `error` at "DIRECTORY/where" (the file's own name and what follows) and a message that
+/// contains `fragment`.
+inline void expectError(const SceneError& error, const std::string& where,
+                        const std::string& fragment) {
+    EXPECT_TRUE(error.where().ends_with("/" + where)) << error.what() << "\nis not at " << where;
+    EXPECT_NE(std::string(error.what()).find(fragment, error.where().size()), std::string::npos)
+        << error.what() << "\ndoes not say: " << fragment;
+}
+
+/// A scene with a camera and a material "wall", for tests to add to.
+inline nlohmann::json plainScene() {
+    return nlohmann::json::parse(R"({
+        "camera": {"position": [0, 1, 4], "target": [0, 1, 0]},
+        "materials": {"wall": {"type": "diffuse", "color": 0.5}},
+        "shapes": [],
+        "lights": []
+    })");
+}
+
+/// plainScene with one more shape.
+inline nlohmann::json sceneWithShape(const std::string& shape) {
+    nlohmann::json scene = plainScene();
+    scene["shapes"].push_back(nlohmann::json::parse(shape));
+    return scene;
+}
+
+inline nlohmann::json sceneWithLight(const std::string& light) {
+    nlohmann::json scene = plainScene();
+    scene["lights"].push_back(nlohmann::json::parse(light));
+    return scene;
+}
+
+} // namespace calotype::test
