@@ -16,7 +16,8 @@ namespace calotype {
 struct Bvh {
     struct Node {
         Bounds3f bounds;
-        uint32_t first = 0; ///< leaf: index into `order`; inner node: its left child, the right is next
+        uint32_t first =
+            0; ///< leaf: index into `order`; inner node: its left child, the right is next
         uint32_t count = 0; ///< primitives in a leaf; 0 for an inner node
 
         bool isLeaf() const { return count > 0; }
@@ -37,9 +38,9 @@ struct BvhStatistics {
 
 BvhStatistics bvhStatistics(const Bvh& bvh);
 
-/// What is wrong with the structure, as a sentence; nothing if all is well: each primitive in exactly
-/// one leaf, each box containing its contents, leaves of one kind and of at most kMaxLeafPrimitives,
-/// no node unreachable or reached twice, depth within kMaxBvhDepth.
+/// What is wrong with the structure, as a sentence; nothing if all is well: each primitive in
+/// exactly one leaf, each box containing its contents, leaves of one kind and of at most
+/// kMaxLeafPrimitives, no node unreachable or reached twice, depth within kMaxBvhDepth.
 std::optional<std::string> findBvhDefect(const Bvh& bvh, std::span<const Primitive> primitives);
 
 } // namespace calotype

@@ -52,7 +52,8 @@ private:
             reportLeaf(end);
             return;
         }
-        const uint32_t middle = small ? splitByKind(begin, end) : splitByMedian(begin, end, centers);
+        const uint32_t middle =
+            small ? splitByKind(begin, end) : splitByMedian(begin, end, centers);
         const auto left = static_cast<uint32_t>(bvh_.nodes.size());
         bvh_.nodes[index].first = left;
         bvh_.nodes.resize(left + 2);
@@ -62,9 +63,9 @@ private:
 
     uint32_t splitByKind(uint32_t begin, uint32_t end) {
         const Iterator order = bvh_.order.begin();
-        const Iterator middle = std::stable_partition(
-            order + begin, order + end,
-            [&](uint32_t i) { return primitives_[i].kind == PrimitiveKind::Triangle; });
+        const Iterator middle = std::stable_partition(order + begin, order + end, [&](uint32_t i) {
+            return primitives_[i].kind == PrimitiveKind::Triangle;
+        });
         return static_cast<uint32_t>(middle - order);
     }
 

@@ -34,8 +34,8 @@ Bounds3d boundsOf(const Cylinder& cylinder) {
 Bounds3d boundsOf(const Cone& cone) {
     const glm::dvec3 axis = cone.worldFromObject.rotation[1];
     const glm::dvec3 apex = cone.worldFromObject.translation;
-    Bounds3d bounds = around(apex + cone.height * axis,
-                             diskExtent(axis, cone.slope * glm::abs(cone.height)));
+    Bounds3d bounds =
+        around(apex + cone.height * axis, diskExtent(axis, cone.slope * glm::abs(cone.height)));
     bounds.extend(apex);
     return bounds;
 }
@@ -91,8 +91,8 @@ std::vector<Primitive> collectPrimitives(const Scene& scene, const glm::dvec3& o
         const Shape& shape = scene.shapes[shapeIndex];
         const Mesh* mesh = std::get_if<Mesh>(&shape.geometry);
         if (!mesh) {
-            primitives.push_back({packedQuadricBounds(shape, origin), shapeIndex, 0,
-                                  PrimitiveKind::Quadric});
+            primitives.push_back(
+                {packedQuadricBounds(shape, origin), shapeIndex, 0, PrimitiveKind::Quadric});
             continue;
         }
         primitives.reserve(primitives.size() + mesh->triangles.size());

@@ -14,8 +14,8 @@ enum class PrimitiveKind : uint8_t { Triangle, Quadric };
 
 /// What a leaf of the BVH holds. A primitive's number is its index in the order of the scene file.
 struct Primitive {
-    Bounds3f bounds;    ///< contains the packed primitive, in coordinates relative to the origin
-    uint32_t shape = 0; ///< index into Scene::shapes
+    Bounds3f bounds;       ///< contains the packed primitive, in coordinates relative to the origin
+    uint32_t shape = 0;    ///< index into Scene::shapes
     uint32_t triangle = 0; ///< index into the mesh's triangles
     PrimitiveKind kind = PrimitiveKind::Triangle;
 };

@@ -17,7 +17,7 @@ template <typename A, typename B>
 } // namespace calotype
 
 /// Aborts with both values unless `a op b` holds. Active in every build type.
-#define CALOTYPE_CHECK_OP(a, op, b)                                                               \
+#define CALOTYPE_CHECK_OP(a, op, b)                                                                \
     do {                                                                                           \
         const auto& checkA = (a);                                                                  \
         const auto& checkB = (b);                                                                  \

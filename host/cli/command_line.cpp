@@ -97,11 +97,8 @@ void addRenderCommand(CLI::App& app, RenderOptions& options) {
                     "Scattering events along a path, at most; 0 shows emitters only")
         ->check(CLI::Range(0u, 1u << 20))
         ->type_name("N");
-    command
-        .add_option("--exposure", options.display.exposureStops,
-                    "Brighten PNGs by this many stops (factors of two)")
-        ->check(CLI::Range(-100.0f, 100.0f))
-        ->type_name("STOPS");
+    addParsed(command, "--exposure", options.display.exposureStops, parseExposure,
+              "Brighten PNGs by this many stops (factors of two)", "STOPS");
     addParsed(command, "--tonemap", options.display.toneMap, parseToneMap,
               "How PNGs treat bright light: " + std::string(kToneMapNames), "NAME");
     addParsed(command, "--preview-every", options.previewInterval, parsePreviewInterval,
@@ -122,13 +119,13 @@ int parseAndRun(int argc, char** argv) {
                  "usage,\n3 bad scene or input file, 4 device or driver.",
                  "calotype");
     app.set_version_flag("--version", CALOTYPE_VERSION);
-    app.require_subcommand(1);
+    app.require_subcommand(0, 1); // none is reported below, after any unknown word
     RenderOptions renderOptions;
     InfoOptions infoOptions;
     DeviceOptions devicesOptions;
     addRenderCommand(app, renderOptions);
-    CLI::App& info = *app.add_subcommand(
-        "info", "Print what a scene holds and what it takes on the device");
+    CLI::App& info =
+        *app.add_subcommand("info", "Print what a scene holds and what it takes on the device");
     addSceneOptions(info, infoOptions.scene);
     addDeviceOptions(info, infoOptions.device);
     CLI::App& devices = *app.add_subcommand("devices", "List devices and say which one is taken");
@@ -140,6 +137,8 @@ int parseAndRun(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         throw UsageError(std::string(error.what()) + " (see calotype --help)");
     }
+    if (app.get_subcommands().empty())
+        throw UsageError("a command is required: render, info or devices (see calotype --help)");
     if (info.parsed())
         return infoCommand(infoOptions);
     if (devices.parsed())

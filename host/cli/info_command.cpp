@@ -16,7 +16,8 @@
 namespace calotype {
 namespace {
 
-void printCounts(const Scene& scene, const GpuScene& packed, std::span<const Primitive> primitives) {
+void printCounts(const Scene& scene, const GpuScene& packed,
+                 std::span<const Primitive> primitives) {
     const auto quadrics = static_cast<size_t>(
         std::count_if(primitives.begin(), primitives.end(), [](const Primitive& primitive) {
             return primitive.kind == PrimitiveKind::Quadric;
@@ -35,19 +36,21 @@ void printCounts(const Scene& scene, const GpuScene& packed, std::span<const Pri
 
 void printBvh(const Bvh& bvh) {
     const BvhStatistics statistics = bvhStatistics(bvh);
-    std::printf("BVH         %zu nodes, %zu leaves of %.2f primitives, depth %u of %u, SAH cost %.1f\n",
-                statistics.nodes, statistics.leaves, statistics.primitivesPerLeaf, statistics.depth,
-                gpu::kMaxBvhDepth, statistics.sahCost);
+    std::printf(
+        "BVH         %zu nodes, %zu leaves of %.2f primitives, depth %u of %u, SAH cost %.1f\n",
+        statistics.nodes, statistics.leaves, statistics.primitivesPerLeaf, statistics.depth,
+        gpu::kMaxBvhDepth, statistics.sahCost);
 }
 
 void printMemory(const Device& device, const GpuScene& packed, const RenderSettings& settings) {
     const auto mib = [](uint64_t bytes) { return static_cast<double>(bytes) / (1 << 20); };
     const uint64_t largest = std::max(packed.nodes.size() * sizeof(gpu::BvhNode),
                                       packed.triangles.size() * sizeof(gpu::Triangle));
-    std::printf("device      %s (%s)\n", device.info().name.c_str(), device.choice().reason.c_str());
+    std::printf("device      %s (%s)\n", device.info().name.c_str(),
+                device.choice().reason.c_str());
     std::printf("memory      %.1f MiB scene + %.1f MiB picture of %ux%u, of %.0f MiB\n",
-                mib(packed.bytes()), mib(pathTracerBytes(settings)), settings.width, settings.height,
-                mib(device.memorySize()));
+                mib(packed.bytes()), mib(pathTracerBytes(settings)), settings.width,
+                settings.height, mib(device.memorySize()));
     std::printf("largest     %.1f MiB in one buffer, of %.0f MiB\n", mib(largest),
                 mib(uint64_t{device.limits().maxTexelBufferElements} * 16));
 }

@@ -24,7 +24,7 @@ struct PreviewInterval {
 };
 
 struct DeviceOptions {
-    std::string device; ///< index or part of a name; empty: choose
+    std::string device;   ///< index or part of a name; empty: choose
     uint32_t threads = 0; ///< of lavapipe; 0: as many as there are cores
 };
 

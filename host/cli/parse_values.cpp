@@ -23,7 +23,8 @@ std::optional<T> parseNumber(std::string_view text) {
 }
 
 /// Whole numbers between separators, or nothing unless there are exactly `count`.
-std::optional<std::vector<uint32_t>> parseList(std::string_view text, char separator, size_t count) {
+std::optional<std::vector<uint32_t>> parseList(std::string_view text, char separator,
+                                               size_t count) {
     std::vector<uint32_t> numbers;
     while (true) {
         const size_t end = text.find(separator);
@@ -85,6 +86,14 @@ ToneMap parseToneMap(const std::string& text) {
     if (!toneMap)
         fail("--tonemap", text, std::string(kToneMapNames));
     return *toneMap;
+}
+
+float parseExposure(const std::string& text) {
+    constexpr float kMaxStops = 100.0f;
+    const auto stops = parseNumber<float>(text);
+    if (!stops || !(std::abs(*stops) <= kMaxStops))
+        fail("--exposure", text, "a number of stops from -100 to 100");
+    return *stops;
 }
 
 } // namespace calotype

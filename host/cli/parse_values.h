@@ -13,5 +13,6 @@ Crop parseCrop(const std::string& text);                       ///< --crop "X,Y,
 PreviewInterval parsePreviewInterval(const std::string& text); ///< --preview-every "16" or "10s"
 SceneOverride parseOverride(const std::string& text);          ///< --set "/pointer=value"
 ToneMap parseToneMap(const std::string& text);                 ///< --tonemap
+float parseExposure(const std::string& text);                  ///< --exposure "-1.5", in stops
 
 } // namespace calotype

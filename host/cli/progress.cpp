@@ -31,7 +31,10 @@ std::string withPrefix(double number) {
     size_t prefix = 0;
     for (; number >= 999.5 && prefix + 1 < std::size(prefixes); ++prefix)
         number /= 1000.0;
-    return formatted(number < 9.995 ? "%.2f" : number < 99.95 ? "%.1f" : "%.0f", number) +
+    return formatted(number < 9.995   ? "%.2f"
+                     : number < 99.95 ? "%.1f"
+                                      : "%.0f",
+                     number) +
            prefixes[prefix];
 }
 
@@ -45,7 +48,8 @@ std::string durationText(double seconds) {
     if (whole < 3600)
         std::snprintf(text, sizeof text, "%ld:%02ld", whole / 60, whole % 60);
     else
-        std::snprintf(text, sizeof text, "%ld:%02ld:%02ld", whole / 3600, whole / 60 % 60, whole % 60);
+        std::snprintf(text, sizeof text, "%ld:%02ld:%02ld", whole / 3600, whole / 60 % 60,
+                      whole % 60);
     return text;
 }
 

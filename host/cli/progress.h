@@ -8,8 +8,8 @@
 
 namespace calotype {
 
-/// Tells on standard error how far the work is: on a terminal as a bar that is drawn over, elsewhere
-/// as a line now and then. Silent if `quiet`.
+/// Tells on standard error how far the work is: on a terminal as a bar that is drawn over,
+/// elsewhere as a line now and then. Silent if `quiet`.
 class Progress {
 public:
     Progress(bool quiet, uint64_t totalPaths, uint32_t samplesPerPixel);

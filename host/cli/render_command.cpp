@@ -202,7 +202,8 @@ private:
         warn(totals_.overflowedPixels, "blocks of samples were too bright for the film and count "
                                        "as black");
         const std::string samples = std::to_string(totals_.samplesPerPixel) + " of " +
-                                    std::to_string(settings_.samplesPerPixel) + " samples per pixel";
+                                    std::to_string(settings_.samplesPerPixel) +
+                                    " samples per pixel";
         if (!complete)
             std::fprintf(stderr, "calotype: interrupted after %s; the picture so far is in %s\n",
                          samples.c_str(), options_.outputs.front().c_str());

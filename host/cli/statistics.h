@@ -12,7 +12,7 @@ namespace calotype {
 /// Wall-clock seconds of each stage of a render.
 struct StageSeconds {
     double load = 0.0;
-    double build = 0.0;       ///< of the BVH, and packing
+    double build = 0.0; ///< of the BVH, and packing
     double upload = 0.0;
     double compile = 0.0;
     double firstSample = 0.0; ///< from the start of the program until every pixel had one sample

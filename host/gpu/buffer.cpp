@@ -42,7 +42,8 @@ Buffer::Buffer(const Device& device, size_t bytes, vk::BufferUsageFlags usage, M
 Buffer uploadBuffer(const Device& device, std::span<const std::byte> contents,
                     vk::BufferUsageFlags usage, const std::string& name) {
     using Usage = vk::BufferUsageFlagBits;
-    Buffer buffer(device, contents.size(), usage | Usage::eTransferDst, Buffer::Memory::Device, name);
+    Buffer buffer(device, contents.size(), usage | Usage::eTransferDst, Buffer::Memory::Device,
+                  name);
     constexpr size_t kStagingBytes = size_t{64} << 20;
     const Buffer staging(device, std::min(contents.size(), kStagingBytes), Usage::eTransferSrc,
                          Buffer::Memory::Host, "staging for " + name);
@@ -50,7 +51,8 @@ Buffer uploadBuffer(const Device& device, std::span<const std::byte> contents,
         const size_t bytes = std::min(staging.bytes(), contents.size() - offset);
         std::memcpy(staging.mapped<std::byte>().data(), contents.data() + offset, bytes);
         device.submitAndWait([&](const vk::raii::CommandBuffer& commands) {
-            commands.copyBuffer(staging.handle(), buffer.handle(), vk::BufferCopy(0, offset, bytes));
+            commands.copyBuffer(staging.handle(), buffer.handle(),
+                                vk::BufferCopy(0, offset, bytes));
         });
     }
     return buffer;

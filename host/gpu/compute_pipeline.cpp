@@ -53,13 +53,15 @@ ComputePipeline::ComputePipeline(const Device& device, const ComputePipelineInfo
             {{}, 1, &*setLayout_, info.pushConstantBytes > 0 ? 1u : 0u, &range});
         std::vector<vk::SpecializationMapEntry> entries;
         for (uint32_t id = 0; id < info.constants.size(); ++id)
-            entries.push_back({id, static_cast<uint32_t>(id * sizeof(vk::Bool32)), sizeof(vk::Bool32)});
+            entries.push_back(
+                {id, static_cast<uint32_t>(id * sizeof(vk::Bool32)), sizeof(vk::Bool32)});
         const vk::SpecializationInfo specialization(
             static_cast<uint32_t>(entries.size()), entries.data(),
             info.constants.size() * sizeof(vk::Bool32), info.constants.data());
-        const auto module = handle.createShaderModule({{}, info.spirv.size_bytes(), info.spirv.data()});
-        const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module,
-                                                      "main", &specialization);
+        const auto module =
+            handle.createShaderModule({{}, info.spirv.size_bytes(), info.spirv.data()});
+        const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute,
+                                                      *module, "main", &specialization);
         pipeline_ = handle.createComputePipeline(nullptr, {{}, stage, *layout_});
         device.setName(pipeline_, info.name);
     });
@@ -72,9 +74,9 @@ void ComputePipeline::run(const Device& device, uint32_t groups,
         commands.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline_);
         commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout_, 0, set_, {});
         if (!pushConstants.empty())
-            commands.pushConstants<std::byte>(*layout_, vk::ShaderStageFlagBits::eCompute, 0,
-                                              vk::ArrayProxy(static_cast<uint32_t>(pushConstants.size()),
-                                                             pushConstants.data()));
+            commands.pushConstants<std::byte>(
+                *layout_, vk::ShaderStageFlagBits::eCompute, 0,
+                vk::ArrayProxy(static_cast<uint32_t>(pushConstants.size()), pushConstants.data()));
         commands.dispatch(groups, 1, 1);
         const vk::MemoryBarrier done(
             vk::AccessFlagBits::eShaderWrite,

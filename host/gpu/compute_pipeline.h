@@ -30,8 +30,8 @@ struct Binding {
 struct ComputePipelineInfo {
     std::string name;
     std::span<const uint32_t> spirv;
-    std::vector<Binding> bindings;      ///< must outlive the pipeline
-    std::vector<vk::Bool32> constants;  ///< specialization constants by identifier, all booleans
+    std::vector<Binding> bindings;     ///< must outlive the pipeline
+    std::vector<vk::Bool32> constants; ///< specialization constants by identifier, all booleans
     uint32_t pushConstantBytes = 0;
 };
 

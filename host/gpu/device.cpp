@@ -30,10 +30,10 @@ Device::Device(const Instance& instance, std::string_view wish) {
         device_ = physicalDevice.createDevice(vk::DeviceCreateInfo({}, queueInfo));
         namesObjects_ = device_.getDispatcher()->vkSetDebugUtilsObjectNameEXT != nullptr;
         queue_ = device_.getQueue(family, 0);
-        commandPool_ = device_.createCommandPool(
-            {vk::CommandPoolCreateFlagBits::eResetCommandBuffer, family});
-        commandBuffer_ = std::move(
-            device_.allocateCommandBuffers({*commandPool_, vk::CommandBufferLevel::ePrimary, 1})[0]);
+        commandPool_ =
+            device_.createCommandPool({vk::CommandPoolCreateFlagBits::eResetCommandBuffer, family});
+        commandBuffer_ = std::move(device_.allocateCommandBuffers(
+            {*commandPool_, vk::CommandBufferLevel::ePrimary, 1})[0]);
         fence_ = device_.createFence({});
     });
 }

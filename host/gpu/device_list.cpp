@@ -51,7 +51,8 @@ std::string missingRequirement(const vk::raii::PhysicalDevice& device,
     const auto texels = device.getFormatProperties(vk::Format::eR32G32B32A32Uint).bufferFeatures;
     if (!(texels & vk::FormatFeatureFlagBits::eUniformTexelBuffer))
         return "texel buffers of 128-bit rows";
-    const auto image = device.getFormatProperties(vk::Format::eR32G32B32A32Sfloat).optimalTilingFeatures;
+    const auto image =
+        device.getFormatProperties(vk::Format::eR32G32B32A32Sfloat).optimalTilingFeatures;
     if (!(image & vk::FormatFeatureFlagBits::eStorageImage))
         return "32-bit float storage images";
     return {};
@@ -67,7 +68,8 @@ std::string lowerCase(std::string_view text) {
 std::string quoteNames(const std::vector<DeviceInfo>& devices) {
     std::string names;
     for (const DeviceInfo& device : devices)
-        names += (names.empty() ? "" : ", ") + std::to_string(device.index) + " '" + device.name + "'";
+        names +=
+            (names.empty() ? "" : ", ") + std::to_string(device.index) + " '" + device.name + "'";
     return names;
 }
 
@@ -97,7 +99,8 @@ DeviceChoice chooseByWish(const std::vector<DeviceInfo>& devices, std::string_vi
 std::vector<DeviceInfo> listDevices(const Instance& instance) {
     return callVulkan([&] {
         std::vector<DeviceInfo> devices;
-        for (const vk::raii::PhysicalDevice& device : instance.handle().enumeratePhysicalDevices()) {
+        for (const vk::raii::PhysicalDevice& device :
+             instance.handle().enumeratePhysicalDevices()) {
             const auto chain = device.getProperties2<vk::PhysicalDeviceProperties2,
                                                      vk::PhysicalDeviceDriverProperties,
                                                      vk::PhysicalDeviceSubgroupProperties>();

@@ -23,11 +23,22 @@ void requireValidationLayer(const vk::raii::Context& context) {
                        "installed (Debian: vulkan-validationlayers)");
 }
 
+vk::raii::Instance createInstance(const vk::raii::Context& context,
+                                  const vk::InstanceCreateInfo& info) {
+    try {
+        return context.createInstance(info);
+    } catch (const vk::IncompatibleDriverError&) {
+        throw GpuError("there is no Vulkan driver; install one (Debian: mesa-vulkan-drivers, which "
+                       "renders on the CPU)");
+    }
+}
+
 } // namespace
 
 VkBool32 Instance::onValidationMessage(VkDebugUtilsMessageSeverityFlagBitsEXT,
                                        VkDebugUtilsMessageTypeFlagsEXT,
-                                       const VkDebugUtilsMessengerCallbackDataEXT* data, void* log) {
+                                       const VkDebugUtilsMessengerCallbackDataEXT* data,
+                                       void* log) {
     auto& messageLog = *static_cast<MessageLog*>(log);
     const std::lock_guard lock(messageLog.mutex);
     messageLog.messages.emplace_back(data->pMessage);
@@ -43,14 +54,14 @@ Instance::Instance() : log_(std::make_unique<MessageLog>()) {
         const std::vector<const char*> layers(validate ? 1 : 0, kValidationLayer);
         const std::vector<const char*> extensions(validate ? 1 : 0,
                                                   VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
-        instance_ = context_.createInstance(vk::InstanceCreateInfo({}, &application, layers, extensions));
+        instance_ = createInstance(context_, {{}, &application, layers, extensions});
         if (!validate)
             return;
         using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
         using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
         messenger_ = instance_.createDebugUtilsMessengerEXT(vk::DebugUtilsMessengerCreateInfoEXT(
-            {}, Severity::eWarning | Severity::eError,
-            Type::eGeneral | Type::eValidation, &onValidationMessage, log_.get()));
+            {}, Severity::eWarning | Severity::eError, Type::eGeneral | Type::eValidation,
+            &onValidationMessage, log_.get()));
     });
 }
 

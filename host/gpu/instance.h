@@ -13,7 +13,8 @@ namespace calotype {
 /// validation layer listens; what it says is kept, not printed.
 class Instance {
 public:
-    /// Throws GpuError where there is no Vulkan 1.2 loader, or no validation layer although asked for.
+    /// Throws GpuError where there is no Vulkan 1.2 loader, or no validation layer although asked
+    /// for.
     Instance();
 
     const vk::raii::Instance& handle() const { return instance_; }
@@ -27,10 +28,9 @@ private:
         std::vector<std::string> messages;
     };
 
-    static VKAPI_ATTR VkBool32 VKAPI_CALL
-    onValidationMessage(VkDebugUtilsMessageSeverityFlagBitsEXT severity,
-                        VkDebugUtilsMessageTypeFlagsEXT types,
-                        const VkDebugUtilsMessengerCallbackDataEXT* data, void* log);
+    static VKAPI_ATTR VkBool32 VKAPI_CALL onValidationMessage(
+        VkDebugUtilsMessageSeverityFlagBitsEXT severity, VkDebugUtilsMessageTypeFlagsEXT types,
+        const VkDebugUtilsMessengerCallbackDataEXT* data, void* log);
 
     std::unique_ptr<MessageLog> log_; // outlives the messenger that points to it
     vk::raii::Context context_;

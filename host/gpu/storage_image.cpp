@@ -14,8 +14,8 @@ void barrier(const vk::raii::CommandBuffer& commands, vk::Image image, Stage fro
              vk::AccessFlags from, Stage toStage, vk::AccessFlags to, Layout oldLayout) {
     commands.pipelineBarrier(fromStage, toStage, {}, {}, {},
                              vk::ImageMemoryBarrier(from, to, oldLayout, Layout::eGeneral,
-                                                    VK_QUEUE_FAMILY_IGNORED, VK_QUEUE_FAMILY_IGNORED,
-                                                    image, kWholeImage));
+                                                    VK_QUEUE_FAMILY_IGNORED,
+                                                    VK_QUEUE_FAMILY_IGNORED, image, kWholeImage));
 }
 
 } // namespace
@@ -31,8 +31,15 @@ StorageImage::StorageImage(const Device& device, uint32_t width, uint32_t height
     callVulkan([&] {
         using Usage = vk::ImageUsageFlagBits;
         image_ = device.handle().createImage(
-            {{}, vk::ImageType::e2D, kFormat, extent_, 1, 1, vk::SampleCountFlagBits::e1,
-             vk::ImageTiling::eOptimal, Usage::eStorage | Usage::eTransferSrc | Usage::eTransferDst});
+            {{},
+             vk::ImageType::e2D,
+             kFormat,
+             extent_,
+             1,
+             1,
+             vk::SampleCountFlagBits::e1,
+             vk::ImageTiling::eOptimal,
+             Usage::eStorage | Usage::eTransferSrc | Usage::eTransferDst});
         device.setName(image_, name);
         const auto requirements = image_.getMemoryRequirements();
         memory_ = device.handle().allocateMemory(

@@ -53,9 +53,7 @@ bool isSingular(const glm::dmat3& m) {
     return std::abs(glm::determinant(normalizedColumns(m))) < kSingularVolume;
 }
 
-bool isMirroring(const glm::dmat3& m) {
-    return glm::determinant(normalizedColumns(m)) < 0.0;
-}
+bool isMirroring(const glm::dmat3& m) { return glm::determinant(normalizedColumns(m)) < 0.0; }
 
 glm::dmat3 normalMatrix(const glm::dmat3& m) {
     return glm::transpose(glm::inverse(m / largestEntry(m)));

@@ -25,8 +25,8 @@ struct Bounds {
         upper = glm::max(upper, other.upper);
     }
     bool contains(const Bounds& other) const {
-        return other.isEmpty() || (glm::min(lower, other.lower) == lower &&
-                                   glm::max(upper, other.upper) == upper);
+        return other.isEmpty() ||
+               (glm::min(lower, other.lower) == lower && glm::max(upper, other.upper) == upper);
     }
 };
 

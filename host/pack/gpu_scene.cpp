@@ -11,9 +11,7 @@
 namespace calotype {
 namespace {
 
-double luminance(const glm::dvec3& rgb) {
-    return 0.2126 * rgb.x + 0.7152 * rgb.y + 0.0722 * rgb.z;
-}
+double luminance(const glm::dvec3& rgb) { return 0.2126 * rgb.x + 0.7152 * rgb.y + 0.0722 * rgb.z; }
 
 double maxComponent(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
@@ -103,7 +101,8 @@ private:
     void packNodes() {
         packed_.nodes.reserve(bvh_.nodes.size());
         for (const Bvh::Node& node : bvh_.nodes)
-            packed_.nodes.push_back({node.bounds.lower, node.isLeaf() ? names_[node.first] : node.first,
+            packed_.nodes.push_back({node.bounds.lower,
+                                     node.isLeaf() ? names_[node.first] : node.first,
                                      node.bounds.upper, node.count});
     }
 

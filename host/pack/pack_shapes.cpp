@@ -81,8 +81,8 @@ gpu::TriangleNormals packTriangleNormals(const Mesh& mesh, uint32_t triangle) {
 }
 
 gpu::Quadric packQuadric(const Shape& shape, const glm::dvec3& origin, uint32_t number) {
-    gpu::Quadric packed = std::visit(
-        [&](const auto& geometry) { return pack(geometry, origin); }, shape.geometry);
+    gpu::Quadric packed =
+        std::visit([&](const auto& geometry) { return pack(geometry, origin); }, shape.geometry);
     packed.material = shape.material;
     packed.light = gpu::kNone;
     packed.id = number;
@@ -91,7 +91,8 @@ gpu::Quadric packQuadric(const Shape& shape, const glm::dvec3& origin, uint32_t 
 
 double areaOf(const gpu::Triangle& triangle) {
     const glm::dvec3 v0(triangle.v0);
-    return 0.5 * glm::length(glm::cross(glm::dvec3(triangle.v1) - v0, glm::dvec3(triangle.v2) - v0));
+    return 0.5 *
+           glm::length(glm::cross(glm::dvec3(triangle.v1) - v0, glm::dvec3(triangle.v2) - v0));
 }
 
 double areaOf(const gpu::Quadric& quadric) {

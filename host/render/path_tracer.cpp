@@ -47,9 +47,7 @@ std::vector<Binding> withKernelBindings(std::vector<Binding> bindings, const Buf
     return bindings;
 }
 
-size_t blockBytes(const Crop& crop) {
-    return size_t{crop.width} * crop.height * sizeof(glm::vec4);
-}
+size_t blockBytes(const Crop& crop) { return size_t{crop.width} * crop.height * sizeof(glm::vec4); }
 
 } // namespace
 
@@ -64,11 +62,16 @@ PathTracer::PathTracer(const Device& device, const GpuScene& scene, const SceneB
                            vk::BufferUsageFlagBits::eUniformBuffer, "camera")),
       counters_(device, sizeof(gpu::RenderCounters), vk::BufferUsageFlagBits::eStorageBuffer,
                 Buffer::Memory::Host, "counters"),
-      pipeline_(device, {.name = "path trace",
-                         .spirv = kPathTraceSpirv,
-                         .bindings = withKernelBindings(buffers.bindings(), camera_, block_, counters_),
-                         .constants = {features.enabled.begin(), features.enabled.end()},
-                         .pushConstantBytes = sizeof(gpu::RenderParameters)}) {}
+      pipeline_(device,
+                {.name = "path trace",
+                 .spirv = kPathTraceSpirv,
+                 .bindings = withKernelBindings(buffers.bindings(), camera_, block_, counters_),
+                 .constants = {features.enabled.begin(), features.enabled.end()},
+                 .pushConstantBytes = sizeof(gpu::RenderParameters)}) {
+    // Some drivers compile at the first dispatch: let that be one without samples.
+    beginBlock(0);
+    renderTiles({0, 1}, 0);
+}
 
 void PathTracer::beginBlock(uint32_t firstSample) {
     parameters_.firstSample = firstSample;

@@ -33,8 +33,8 @@ public:
     /// Empties the storage image for the block that begins at the absolute sample `firstSample`.
     void beginBlock(uint32_t firstSample);
 
-    /// Brings the pixels of some tiles to `sampleEnd` samples of the block, as far as the loop budget
-    /// of one dispatch allows: call again while `unfinishedPixels` is not zero.
+    /// Brings the pixels of some tiles to `sampleEnd` samples of the block, as far as the loop
+    /// budget of one dispatch allows: call again while `unfinishedPixels` is not zero.
     gpu::RenderCounters renderTiles(TileRange tiles, uint32_t sampleEnd);
 
     /// The block so far: per pixel the sum of r, g, b, and in w the number of samples. Valid until

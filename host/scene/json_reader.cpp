@@ -28,17 +28,13 @@ std::string describe(const nlohmann::json& json) {
 
 } // namespace
 
-void JsonValue::fail(const std::string& message) const {
-    throw SceneError(where(), message);
-}
+void JsonValue::fail(const std::string& message) const { throw SceneError(where(), message); }
 
 void JsonValue::failType(const std::string& what) const {
     fail("must be " + what + ", not " + describe(*json_));
 }
 
-std::string JsonValue::where() const {
-    return jsonPlace(*file_, pointer_);
-}
+std::string JsonValue::where() const { return jsonPlace(*file_, pointer_); }
 
 JsonValue JsonValue::child(const std::string& key) const {
     static const nlohmann::json kAbsent;

@@ -32,7 +32,7 @@ MeshAndDropped buildMesh(std::span<const glm::dvec3> positions, std::span<const 
                          const AffineTransform& worldFromObject, NormalMode mode,
                          const std::string& where);
 
-/// The area of a triangle's two sides together is twice this.
+/// Of one side.
 double triangleArea(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
 
 } // namespace calotype

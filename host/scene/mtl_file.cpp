@@ -69,7 +69,7 @@ glm::dvec3 parseColor(TextCursor& cursor, const std::string& where) {
 std::map<std::string, MtlMaterial> parseMtl(std::string_view text, const std::string& path) {
     std::map<std::string, MtlMaterial> materials;
     MtlMaterial* current = nullptr;
-    forEachObjLine(text, [&](size_t number, std::string_view line) {
+    forEachObjLine(withoutByteOrderMark(text), [&](size_t number, std::string_view line) {
         if (line.empty() || line.front() == '#') {
             return;
         }

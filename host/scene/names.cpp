@@ -13,9 +13,9 @@ constexpr size_t kLongestList = 20;
 /// Longer names are nobody's misspelling, and the distance costs the product of the lengths.
 constexpr size_t kLongestMisspelling = 64;
 
-bool continuesUtf8(char c) {
-    return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
-}
+bool continuesUtf8(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
+
+bool isPlain(char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; }
 
 /// Optimal string alignment: Levenshtein's distance with swaps of neighbours.
 size_t editDistance(std::string_view a, std::string_view b) {
@@ -44,6 +44,9 @@ size_t editDistance(std::string_view a, std::string_view b) {
 
 std::string printable(std::string_view text) {
     using nlohmann::json;
+    if (text.size() <= kLongest && std::ranges::all_of(text, isPlain)) {
+        return std::string(text); // nearly always, and much faster
+    }
     const bool isLong = text.size() > kLongest;
     if (isLong) {
         size_t end = kLongest;
@@ -56,9 +59,7 @@ std::string printable(std::string_view text) {
     return quoted.substr(1, quoted.size() - 2) + (isLong ? "..." : "");
 }
 
-std::string inQuotes(std::string_view text) {
-    return '"' + printable(text) + '"';
-}
+std::string inQuotes(std::string_view text) { return '"' + printable(text) + '"'; }
 
 std::string listInQuotes(std::span<const std::string> names) {
     std::string list;
@@ -73,13 +74,14 @@ std::string listInQuotes(std::span<const std::string> names) {
 
 std::string nearestName(std::string_view name, std::span<const std::string> known) {
     std::string nearest;
-    size_t best = std::max<size_t>(1, name.size() / 2) + 1;
+    size_t best = kLongestMisspelling;
     for (const std::string& candidate : known) {
-        if (std::max(name.size(), candidate.size()) > kLongestMisspelling) {
+        const size_t longer = std::max(name.size(), candidate.size());
+        if (longer > kLongestMisspelling) {
             continue;
         }
         const size_t distance = editDistance(name, candidate);
-        if (distance < best) {
+        if (distance < best && 2 * distance <= longer) {
             best = distance;
             nearest = candidate;
         }

@@ -20,7 +20,7 @@ std::string listInQuotes(std::span<const std::string> names);
 std::string suggestion(std::string_view name, std::span<const std::string> known);
 
 /// The nearest of `known` by edit distance (insert, delete, replace, swap neighbours), or empty
-/// where more than half of the name would have to change.
+/// where more than half of the longer name would have to change.
 std::string nearestName(std::string_view name, std::span<const std::string> known);
 
 } // namespace calotype

@@ -92,7 +92,7 @@ private:
             const std::string_view word = cursor.word();
             const std::optional<double> value = parseNumber(word);
             if (!value) {
-                return complain(kind, inQuotes(word) + " is not a number");
+                return complain(kind, [&] { return inQuotes(word) + " is not a number"; });
             }
             if (numbers < kUsedNumbers[kind]) {
                 finite = finite && std::isfinite(*value);
@@ -100,21 +100,26 @@ private:
             ++numbers;
         }
         if (numbers < kFewestNumbers[kind]) {
-            return complain(kind, std::string("a ") + kKindNames[kind] + " needs " +
-                                      std::to_string(kFewestNumbers[kind]) + " numbers, not " +
-                                      std::to_string(numbers));
+            return complain(kind, [&] {
+                return std::string("a ") + kKindNames[kind] + " needs " +
+                       std::to_string(kFewestNumbers[kind]) + " numbers, not " +
+                       std::to_string(numbers);
+            });
         }
         if (!finite && kind == kNormal) {
             outline_.nonFiniteNormals.push_back(counts_[kind] - 1);
         } else if (!finite) {
-            complain(kind, std::string("this ") + kKindNames[kind] + " is not finite");
+            complain(kind,
+                     [&] { return std::string("this ") + kKindNames[kind] + " is not finite"; });
         }
     }
 
-    void complain(Kind kind, const std::string& message) {
+    /// `describe` makes the message, which costs too much for what may not matter.
+    template <typename Describe>
+    void complain(Kind kind, Describe&& describe) {
         foundBadNumbers_ = true;
         if (relevant_ != nullptr && (*relevant_)[kind][counts_[kind] - 1]) {
-            fail(message);
+            fail(describe());
         }
     }
 
@@ -126,7 +131,7 @@ private:
         if (corners < 3) {
             fail("a face needs at least 3 corners, not " + std::to_string(corners));
         }
-        outline_.commentsAfterFaces = outline_.commentsAfterFaces || !cursor.rest().empty();
+        outline_.untidyFaces = outline_.untidyFaces || !cursor.rest().empty();
         noteMaterial();
         ++outline_.polygons;
         outline_.corners += corners;
@@ -146,6 +151,7 @@ private:
             }
             next = stop;
             if (next == end) {
+                outline_.untidyFaces = outline_.untidyFaces || word.back() == '/';
                 return;
             }
             if (*next != '/') {
@@ -154,8 +160,7 @@ private:
             ++next;
         }
         fail("the corner " + inQuotes(word) +
-             " is malformed; it should read like 1, 1/2, 1//3 or "
-             "1/2/3");
+             " is malformed; it should read like 1, 1/2, 1//3 or 1/2/3");
     }
 
     void checkIndex(Kind kind, int64_t index, std::string_view word) {

@@ -25,7 +25,8 @@ struct ObjOutline {
     std::vector<MaterialRun> materialRuns;
     std::vector<std::string> libraries;   ///< what follows each "mtllib"
     std::vector<size_t> nonFiniteNormals; ///< indices of normals with a NaN or an infinity
-    bool commentsAfterFaces = false;      ///< on the same line, which tinyobjloader misreads
+    /// Whether tinyobjloader would misread faces, for comments after them or empty last fields.
+    bool untidyFaces = false;
 };
 
 /// Finds what tinyobjloader passes over in silence. Throws SceneError at "PATH:LINE" for faces

@@ -10,8 +10,10 @@
 #define TINYOBJLOADER_USE_DOUBLE
 #include <tiny_obj_loader.h>
 
+#include "base/check.h"
 #include "base/error.h"
 #include "scene/obj_lines.h"
+#include "scene/text_cursor.h"
 #include "scene/triangulate.h"
 
 namespace calotype {
@@ -26,13 +28,24 @@ public:
     }
 };
 
-/// The text with continued lines joined and without comments after faces.
+/// The corners of a face's line without slashes that nothing follows, and without a comment.
+std::string tidiedFace(std::string_view line) {
+    TextCursor cursor(line);
+    std::string result;
+    while (!cursor.atEnd()) {
+        const std::string_view word = cursor.word();
+        result.append(word.substr(0, word.find_last_not_of('/') + 1)).push_back(' ');
+    }
+    return result;
+}
+
+/// The text with continued lines joined and faces tidied.
 std::string tidied(std::string_view text) {
     std::string result;
     result.reserve(text.size() + 1);
     forEachObjLine(text, [&](size_t, std::string_view line) {
         const bool face = line.starts_with("f ") || line.starts_with("f\t");
-        result.append(face ? line.substr(0, line.find('#')) : line).push_back('\n');
+        result.append(face ? tidiedFace(line) : line).push_back('\n');
     });
     return result;
 }
@@ -59,6 +72,11 @@ public:
             static_cast<Receiver*>(self)->addPolygon({indices, static_cast<size_t>(count)});
         };
         tinyobj::LoadObjWithCallback(stream, callbacks, this);
+        // The outline has vouched for every index, if only both have read the same.
+        CALOTYPE_CHECK_EQ(file_.positions.size(), outline_.positions);
+        CALOTYPE_CHECK_EQ(file_.normals.size(), outline_.normals);
+        CALOTYPE_CHECK_EQ(polygons_.size(), outline_.polygons);
+        CALOTYPE_CHECK_EQ(corners_.size(), outline_.corners);
     }
 
     /// Once all vertices are known, for faces may refer to later ones.
@@ -138,6 +156,7 @@ private:
 } // namespace
 
 ObjFile parseObj(std::string_view text, const std::string& path) {
+    text = withoutByteOrderMark(text);
     const ObjOutline outline = checkObj(text, path);
     if (outline.positions == 0) {
         throw SceneError(path, "the file has no vertices; is it a Wavefront OBJ?");
@@ -147,7 +166,7 @@ ObjFile parseObj(std::string_view text, const std::string& path) {
                          "the file has no faces; points, lines and curves cannot be rendered");
     }
     std::string tidy;
-    if (outline.commentsAfterFaces || text.find('\\') != std::string_view::npos) {
+    if (outline.untidyFaces || text.find('\\') != std::string_view::npos) {
         tidy = tidied(text);
         text = tidy;
     }

@@ -6,9 +6,7 @@
 
 namespace calotype {
 
-inline bool isBlank(char c) {
-    return c == ' ' || c == '\t';
-}
+inline bool isBlank(char c) { return c == ' ' || c == '\t'; }
 
 /// Without blanks at both ends.
 inline std::string_view trimmed(std::string_view text) {
@@ -19,6 +17,11 @@ inline std::string_view trimmed(std::string_view text) {
         text.remove_suffix(1);
     }
     return text;
+}
+
+/// Without the mark that some editors put before UTF-8.
+inline std::string_view withoutByteOrderMark(std::string_view text) {
+    return text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
 }
 
 /// Calls `visit(number, line)` for each line of an OBJ or MTL text, numbered from 1, without

@@ -51,9 +51,7 @@ glm::dvec3 readColor(const JsonValue& value, double highest, const std::string& 
 
 } // namespace
 
-glm::dvec3 readReflectance(const JsonValue& value) {
-    return readColor(value, 1.0, "in [0, 1]");
-}
+glm::dvec3 readReflectance(const JsonValue& value) { return readColor(value, 1.0, "in [0, 1]"); }
 
 glm::dvec3 readRadiance(const JsonValue& value) {
     return readColor(value, HUGE_VAL, "0 or greater");

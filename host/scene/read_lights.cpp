@@ -27,9 +27,7 @@ std::vector<std::string> keysOf(Type type) {
 }
 
 /// One side's, in square metres.
-double area(const Disk& disk) {
-    return std::numbers::pi * disk.radius * disk.radius;
-}
+double area(const Disk& disk) { return std::numbers::pi * disk.radius * disk.radius; }
 
 double area(const Mesh& mesh) {
     double sum = 0.0;

@@ -23,8 +23,8 @@ std::shared_ptr<const ObjFile> readObj(const JsonValue& file, const std::string&
         cached = std::make_shared<ObjFile>(parseObj(text, path));
         context.progress(path, 0.7);
         if (cached->crossingPolygons > 0) {
-            context.warn(path, "polygons that cross themselves, cut into triangles that may "
-                               "overlap: " +
+            context.warn(path, "polygons that cross themselves or are far from flat, cut into "
+                               "triangles that may overlap: " +
                                    std::to_string(cached->crossingPolygons));
         }
     }

@@ -14,7 +14,7 @@ namespace calotype {
 namespace {
 
 constexpr uint32_t kLargestSide = 65535;
-constexpr uint32_t kLargestWhole = std::numeric_limits<uint32_t>::max();
+constexpr uint32_t kLargestSeed = std::numeric_limits<uint32_t>::max();
 constexpr double kDefaultFov = 40.0;
 /// Sine of the angle between `up` and the view below which they count as parallel.
 constexpr double kParallelSine = 1e-6;
@@ -115,9 +115,11 @@ FilmSettings readFilm(const JsonValue& value) {
 RenderDefaults readRender(const JsonValue& value) {
     const JsonObject object(value, {"spp", "max_bounces", "seed"});
     RenderDefaults render;
-    render.samplesPerPixel = object.wholeNumber("spp", 1, kLargestWhole, render.samplesPerPixel);
-    render.maxBounces = object.wholeNumber("max_bounces", 0, kLargestWhole, render.maxBounces);
-    render.seed = object.wholeNumber("seed", 0, kLargestWhole, render.seed);
+    render.samplesPerPixel =
+        object.wholeNumber("spp", 1, RenderDefaults::kMostSamplesPerPixel, render.samplesPerPixel);
+    render.maxBounces =
+        object.wholeNumber("max_bounces", 0, RenderDefaults::kMostBounces, render.maxBounces);
+    render.seed = object.wholeNumber("seed", 0, kLargestSeed, render.seed);
     return render;
 }
 

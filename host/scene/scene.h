@@ -29,6 +29,9 @@ struct FilmSettings {
 };
 
 struct RenderDefaults {
+    static constexpr uint32_t kMostSamplesPerPixel = 1u << 30;
+    static constexpr uint32_t kMostBounces = 1u << 20;
+
     uint32_t samplesPerPixel = 64;
     uint32_t maxBounces = 4; ///< scattering events along a path; 0 shows emitters only
     uint32_t seed = 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "base/check.h"
 
@@ -13,24 +14,62 @@ namespace {
 /// Point-in-ear tests for one polygon: ten thousand ragged corners stay below it.
 constexpr size_t kMostTests = 100'000'000;
 
-/// Twice the polygon's area vector (Newell), relative to its first corner against cancellation.
+/// Twice the polygon's area vector (Newell).
 glm::dvec3 areaVector(std::span<const glm::dvec3> polygon) {
     glm::dvec3 sum(0.0);
     for (size_t i = 0; i < polygon.size(); ++i) {
-        const glm::dvec3 a = polygon[i] - polygon[0];
-        const glm::dvec3 b = polygon[(i + 1) % polygon.size()] - polygon[0];
+        const glm::dvec3& a = polygon[i];
+        const glm::dvec3& b = polygon[(i + 1) % polygon.size()];
         sum += glm::dvec3((a.y - b.y) * (a.z + b.z), (a.z - b.z) * (a.x + b.x),
                           (a.x - b.x) * (a.y + b.y));
     }
     return sum;
 }
 
+/// How well two triangles that share the edge ab agree: the dot product of their normals.
+double agreement(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& right,
+                 const glm::dvec3& left) {
+    return glm::dot(glm::cross(b - right, a - right), glm::cross(a - left, b - left));
+}
+
 } // namespace
 
-/// Drops the axis along which the polygon is thinnest, so that coordinates stay exact, and orders
-/// the other two so that the polygon runs counter-clockwise.
-void Triangulator::project(std::span<const glm::dvec3> polygon) {
-    const glm::dvec3 normal = areaVector(polygon);
+/// Scaled by a power of two, so that coordinates stay exact and products neither overflow nor
+/// underflow.
+void Triangulator::moveToOrigin(std::span<const glm::dvec3> polygon) {
+    double size = 0.0;
+    local_.clear();
+    for (const glm::dvec3& p : polygon) {
+        const glm::dvec3 fromFirst = p - polygon[0];
+        const glm::dvec3 extent = glm::abs(fromFirst);
+        size = std::max({size, extent.x, extent.y, extent.z});
+        local_.push_back(fromFirst);
+    }
+    if (size > 0.0) {
+        const double scale = std::ldexp(1.0, std::clamp(-std::ilogb(size), -1000, 1000));
+        for (glm::dvec3& p : local_) {
+            p *= scale;
+        }
+    }
+}
+
+/// From corner 0 where that can be, else along the diagonal whose triangles agree better.
+void Triangulator::cutQuad() {
+    const double along02 = agreement(local_[0], local_[2], local_[1], local_[3]);
+    const double along13 = agreement(local_[1], local_[3], local_[2], local_[0]);
+    if (along02 > 0.0 || along02 >= along13) {
+        triangles_.push_back({0, 1, 2});
+        triangles_.push_back({0, 2, 3});
+    } else {
+        triangles_.push_back({0, 1, 3});
+        triangles_.push_back({1, 2, 3});
+    }
+}
+
+/// Drops the axis along which the polygon is thinnest and orders the other two so that the polygon
+/// runs counter-clockwise.
+void Triangulator::project() {
+    const glm::dvec3 normal = areaVector(local_);
     const glm::dvec3 size = glm::abs(normal);
     const int dropped = size.x > size.y && size.x > size.z ? 0 : (size.y > size.z ? 1 : 2);
     int u = (dropped + 1) % 3;
@@ -38,11 +77,10 @@ void Triangulator::project(std::span<const glm::dvec3> polygon) {
     if (normal[dropped] < 0.0) {
         std::swap(u, v);
     }
-    const auto count = static_cast<uint32_t>(polygon.size());
+    const auto count = static_cast<uint32_t>(local_.size());
     corners_.resize(count);
     for (uint32_t i = 0; i < count; ++i) {
-        // Relative to the first corner, so that far polygons keep their precision.
-        const glm::dvec3 p = polygon[i] - polygon[0];
+        const glm::dvec3& p = local_[i];
         corners_[i] = {p[u], p[v], (i + count - 1) % count, (i + 1) % count, false};
     }
 }
@@ -112,19 +150,9 @@ void Triangulator::clip(uint32_t corner) {
     updateReflex(removed.next);
 }
 
-std::span<const Triangulator::Triangle>
-Triangulator::triangulate(std::span<const glm::dvec3> polygon) {
-    CALOTYPE_CHECK_LE(3u, polygon.size());
-    triangles_.clear();
-    reflex_.clear();
-    sound_ = true;
-    testsLeft_ = kMostTests;
-    auto left = static_cast<uint32_t>(polygon.size());
-    if (left == 3) {
-        triangles_.push_back({0, 1, 2});
-        return triangles_;
-    }
-    project(polygon);
+void Triangulator::clipEars() {
+    project();
+    auto left = static_cast<uint32_t>(corners_.size());
     for (uint32_t i = 0; i < left; ++i) {
         updateReflex(i);
     }
@@ -149,6 +177,25 @@ Triangulator::triangulate(std::span<const glm::dvec3> polygon) {
     const Corner& last = corners_[corner];
     triangles_.push_back({last.previous, corner, last.next});
     sound_ = sound_ && turn(corner) >= 0.0;
+}
+
+std::span<const Triangulator::Triangle>
+Triangulator::triangulate(std::span<const glm::dvec3> polygon) {
+    CALOTYPE_CHECK_LE(3u, polygon.size());
+    triangles_.clear();
+    reflex_.clear();
+    sound_ = true;
+    testsLeft_ = kMostTests;
+    if (polygon.size() == 3) {
+        triangles_.push_back({0, 1, 2});
+        return triangles_;
+    }
+    moveToOrigin(polygon);
+    if (polygon.size() == 4) {
+        cutQuad();
+    } else {
+        clipEars();
+    }
     return triangles_;
 }
 

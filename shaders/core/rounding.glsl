@@ -2,7 +2,8 @@
 #ifndef CALOTYPE_CORE_ROUNDING_GLSL
 #define CALOTYPE_CORE_ROUNDING_GLSL
 
-/// Relative error of one operation: 2^-23, twice IEEE's, since Vulkan leaves the rounding mode open.
+/// Relative error of one operation: 2^-23, twice IEEE's, since Vulkan leaves the rounding mode
+/// open.
 const float kUnitRoundoff = 1.1920929e-7;
 
 /// Bound on the relative error of n operations in a row: n u / (1 - n u). A division (2.5 ULP)

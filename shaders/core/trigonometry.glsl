@@ -10,8 +10,9 @@ vec2 sinCosTwoPi(float u) {
     float x = (4.0 * u - quarterTurns) * 1.57079632679490;
     float x2 = x * x;
     float s = x + x * x2 * (-1.6666654611e-1 + x2 * (8.3321608736e-3 - x2 * 1.9515295891e-4));
-    float c = 1.0 - 0.5 * x2 +
-              x2 * x2 * (4.166664568298827e-2 + x2 * (-1.388731625493765e-3 + x2 * 2.443315711809948e-5));
+    float c =
+        1.0 - 0.5 * x2 +
+        x2 * x2 * (4.166664568298827e-2 + x2 * (-1.388731625493765e-3 + x2 * 2.443315711809948e-5));
     uint k = uint(quarterTurns) & 3u;
     vec2 sc = (k & 1u) == 0u ? vec2(s, c) : vec2(c, s);
     return vec2(k >= 2u ? -sc.x : sc.x, k == 1u || k == 2u ? -sc.y : sc.y);

@@ -19,9 +19,7 @@ vec2 warpToTriangle(vec2 u) {
 }
 
 /// Cosine-weighted about +z (Malley's method; report eq. 1.22, 1.23). z > 0 for every u in [0, 1).
-vec3 warpToCosineHemisphere(vec2 u) {
-    return vec3(warpToDisk(u), sqrt(1.0 - u.x));
-}
+vec3 warpToCosineHemisphere(vec2 u) { return vec3(warpToDisk(u), sqrt(1.0 - u.x)); }
 
 /// Density of warpToCosineHemisphere, per solid angle.
 float cosineHemispherePdf(float cosTheta) { return cosTheta * kInvPi; }

@@ -1,10 +1,12 @@
 #version 460
-// Adds samples to the block in the storage image: each invocation owns one pixel and sums its samples
-// in their order. rgb is the sum of the radiance, a the number of samples; so a dispatch goes on where
-// the last one stopped, and the picture does not depend on how the work was cut up.
+// Adds samples to the block in the storage image: each invocation owns one pixel and sums its
+// samples in their order. rgb is the sum of the radiance, a the number of samples; so a dispatch
+// goes on where the last one stopped, and the picture does not depend on how the work was cut up.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
+#extension GL_KHR_shader_subgroup_ballot : require
 #extension GL_KHR_shader_subgroup_basic : require
+#extension GL_KHR_shader_subgroup_vote : require
 
 #include "film/finite.glsl"
 #include "film/tiles.glsl"
@@ -18,7 +20,8 @@ layout(set = 0, binding = kBindingBlock, rgba32f) uniform image2D block;
 layout(set = 0, binding = kBindingCounters) buffer CountersBlock { RenderCounters counters; };
 
 void main() {
-    uint tile = (parameters.firstTile + gl_WorkGroupID.x) * parameters.tileStride % parameters.tileCount;
+    uint tile =
+        (parameters.firstTile + gl_WorkGroupID.x) * parameters.tileStride % parameters.tileCount;
     uvec2 pixel = pixelOfInvocation(tile, gl_LocalInvocationIndex, parameters.cropSize);
     bool inPicture = all(lessThan(pixel, parameters.cropSize));
     vec4 sum = inPicture ? imageLoad(block, ivec2(pixel)) : vec4(0.0);
@@ -48,7 +51,8 @@ void main() {
             sum += vec4(finite ? path.radiance : vec3(0.0), 1.0);
             nonFiniteSamples += finite ? 0u : 1u;
             sampleCount++;
-            working = sampleCount < parameters.sampleEnd && cost.iterations < kIterationsBeforePause;
+            working =
+                sampleCount < parameters.sampleEnd && cost.iterations < kIterationsBeforePause;
         }
     }
 

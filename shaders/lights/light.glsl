@@ -23,9 +23,7 @@ bool isQuadricLight(Light light) {
     return hasQuadricLights && (!hasTriangleLights || (light.primitive & kQuadricBit) != 0u);
 }
 
-bool isSphereLight(Quadric quadric) {
-    return hasSphereLights && quadric.kind == kSphere;
-}
+bool isSphereLight(Quadric quadric) { return hasSphereLights && quadric.kind == kSphere; }
 
 /// A point on the light for lighting `reference`.
 SurfaceSample sampleLight(Light light, vec3 reference, vec2 u) {

@@ -1,5 +1,5 @@
-// Uniform points on disks and on the closed surfaces of cylinders and cones. A closed convex surface
-// shows a point outside only what faces it, and a point inside everything.
+// Uniform points on disks and on the closed surfaces of cylinders and cones. A closed convex
+// surface shows a point outside only what faces it, and a point inside everything.
 #ifndef CALOTYPE_LIGHTS_QUADRIC_LIGHT_GLSL
 #define CALOTYPE_LIGHTS_QUADRIC_LIGHT_GLSL
 
@@ -55,8 +55,9 @@ SurfaceSample sampleQuadricLight(Quadric quadric, float area, vec3 reference, ve
     QuadricPoint point = quadricPoint(quadric, local);
     vec3 toReference = reference - point.position;
     bool facesAway = dot(toReference, point.normal) < 0.0;
-    bool hidden = quadric.kind != kDisk && facesAway &&
-                  !isInsideQuadric(quadric, (reference - quadric.center) * worldFromQuadric(quadric));
+    bool hidden =
+        quadric.kind != kDisk && facesAway &&
+        !isInsideQuadric(quadric, (reference - quadric.center) * worldFromQuadric(quadric));
     float pdf = hidden ? 0.0 : solidAnglePdf(area, reference, point.position, point.normal);
     return SurfaceSample(point.position, point.error, point.normal, pdf);
 }

@@ -28,8 +28,8 @@ float sphereLightPdf(Quadric sphere, float area, vec3 reference, vec3 position, 
 }
 
 /// The direction from the centre to a point seen under the angle theta off the axis makes the angle
-/// beta - theta with the axis to the reference, where sin beta = sin theta / sin thetaMax by the law
-/// of sines.
+/// beta - theta with the axis to the reference, where sin beta = sin theta / sin thetaMax by the
+/// law of sines.
 SurfaceSample sampleSphereLight(Quadric sphere, float area, vec3 reference, vec2 u) {
     vec3 toReference = reference - sphere.center;
     float sin2ThetaMax = sphereSin2(sphere, reference);

@@ -6,7 +6,7 @@ struct SurfaceSample {
     vec3 position;
     float error; ///< bound on the distance along `normal` between `position` and the true surface
     vec3 normal; ///< of the front
-    float pdf;   ///< per solid angle at the reference point; 0 where the point cannot be seen from it
+    float pdf; ///< per solid angle at the reference point; 0 where the point cannot be seen from it
 };
 
 /// A density per area, 1 / area, as one per solid angle (report eq. 1.36):

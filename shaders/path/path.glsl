@@ -12,11 +12,11 @@
 
 struct Path {
     SampleId id;
-    Ray ray;          ///< unit direction
-    vec3 throughput;  ///< product of the weights so far
-    vec3 radiance;    ///< found so far
-    uint bounce;      ///< scattering events so far
-    float bsdfPdf;    ///< density per solid angle of the ray's direction, after an event
+    Ray ray;         ///< unit direction
+    vec3 throughput; ///< product of the weights so far
+    vec3 radiance;   ///< found so far
+    uint bounce;     ///< scattering events so far
+    float bsdfPdf;   ///< density per solid angle of the ray's direction, after an event
 };
 
 struct PathLimits {

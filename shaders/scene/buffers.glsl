@@ -1,5 +1,5 @@
-// The packed scene's texel buffers, and reading a struct from its rows. The order of the rows is that
-// of the fields in shared/scene_structs.h; tests/gpu echoes every field back.
+// The packed scene's texel buffers, and reading a struct from its rows. The order of the rows is
+// that of the fields in shared/scene_structs.h; tests/gpu echoes every field back.
 #ifndef CALOTYPE_SCENE_BUFFERS_GLSL
 #define CALOTYPE_SCENE_BUFFERS_GLSL
 

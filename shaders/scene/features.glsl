@@ -18,7 +18,7 @@ layout(constant_id = kFeatureDiskLights) const bool hasDiskLights = true;
 layout(constant_id = kFeatureHiddenLights) const bool hasHiddenLights = true;
 
 const bool hasQuadrics = hasSpheres || hasCylinders || hasCones || hasDisks;
-const bool hasLights = hasTriangleLights || hasSphereLights || hasCylinderLights ||
-                       hasConeLights || hasDiskLights;
+const bool hasLights =
+    hasTriangleLights || hasSphereLights || hasCylinderLights || hasConeLights || hasDiskLights;
 
 #endif

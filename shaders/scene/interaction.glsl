@@ -22,7 +22,8 @@ Interaction triangleInteraction(uint index, Ray ray) {
     vec3 edge1 = triangle.v1 - triangle.v0;
     vec3 edge2 = triangle.v2 - triangle.v0;
     vec2 b = intersectTriangle(shearedRay(ray.origin, ray.direction), triangle.v0, triangle.v1,
-                               triangle.v2).barycentrics;
+                               triangle.v2)
+                 .barycentrics;
     vec3 along1 = b.x * edge1;
     vec3 along2 = b.y * edge2;
     Interaction surface;

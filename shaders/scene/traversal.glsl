@@ -4,11 +4,13 @@
 // plane's parameter (b - o) * (1 / d) carries at most gamma_5 of relative error (difference,
 // reciprocal of at most 2.5 ULP, product); widening the far side by twice that keeps every box that
 // exact arithmetic would pass (Ize 2013, "Robust BVH Ray Traversal"). Components of the direction
-// below 1e-18 are replaced before the reciprocal, so axis-parallel rays meet no NaN and no infinity.
+// below 1e-18 are replaced before the reciprocal, so axis-parallel rays meet no NaN and no
+// infinity.
 #ifndef CALOTYPE_SCENE_TRAVERSAL_GLSL
 #define CALOTYPE_SCENE_TRAVERSAL_GLSL
 
 #include "core/ray.glsl"
+#include "core/select.glsl"
 #include "scene/buffers.glsl"
 #include "scene/features.glsl"
 #include "shapes/quadric.glsl"
@@ -31,10 +33,8 @@ const float kFarWidening = 1.0 + 2.0 * GAMMA(5.0);
 float enterNode(NodeRay ray, BvhNode node, float tMax) {
     vec3 toLower = (node.lower - ray.origin) * ray.inverse;
     vec3 toUpper = (node.upper - ray.origin) * ray.inverse;
-    vec3 entry = min(toLower, toUpper);
-    vec3 exit = max(toLower, toUpper) * kFarWidening;
-    float enter = max(max(entry.x, entry.y), max(entry.z, 0.0));
-    float leave = min(min(exit.x, exit.y), min(exit.z, tMax));
+    float enter = greater(greatest(lesser(toLower, toUpper)), 0.0);
+    float leave = lesser(least(greater(toLower, toUpper)) * kFarWidening, tMax);
     return enter <= leave ? enter : kFar;
 }
 
@@ -48,52 +48,60 @@ float intersectPrimitive(uint primitive, Ray ray, ShearedRay sheared) {
     return intersectTriangle(sheared, triangle.v0, triangle.v1, triangle.v2).t;
 }
 
+// What is left to visit is kept in one word: a node's `first` with `count` in the bits that neither
+// indices nor kQuadricBit use, so that taking it up again costs no fetch. kNone is the end.
+const uint kCountShift = 28u;
+const uint kCountMask = 7u << kCountShift;
+
+uint contentsOf(BvhNode node) { return node.first | (node.count << kCountShift); }
+
 /// Walks the tree: down to a leaf, nearer child first, then through the leaf's primitives, then on
-/// with the last node put aside. `anyHit` ends at the first hit; `skipped` is never hit.
+/// with what was put aside last. `anyHit` ends at the first hit; `skipped` is never hit.
 ///
 /// `iterations` counts what llvmpipe has a limit on: the passes through loop bodies, and the last
-/// look at a loop's condition, of the subgroup as a whole; hence the maxima after each loop.
+/// look at a loop's condition, of the subgroup as a whole; hence the maxima after each loop. Both
+/// sides of an `if` are paid for there, so choices are written as selections.
 Hit traverse(Ray ray, bool anyHit, uint skipped, inout uint iterations) {
     NodeRay nodeRay = NodeRay(ray.origin, safeReciprocal(ray.direction));
     ShearedRay sheared = shearedRay(ray.origin, ray.direction);
     Hit hit = Hit(ray.tMax, kNone);
-    uint stack[kMaxBvhDepth];
-    uint stackSize = 0u;
-    BvhNode node = loadNode(0u);
-    bool searching = true;
+    uint stack[kMaxBvhDepth + 1u];
+    stack[0] = kNone;
+    uint stackSize = 1u;
+    uint contents = contentsOf(loadNode(0u));
     do {
-        while (searching && node.count == 0u) {
-            BvhNode left = loadNode(node.first);
-            BvhNode right = loadNode(node.first + 1u);
+        while ((contents & kCountMask) == 0u) {
+            BvhNode left = loadNode(contents);
+            BvhNode right = loadNode(contents + 1u);
             float enterLeft = enterNode(nodeRay, left, hit.t);
             float enterRight = enterNode(nodeRay, right, hit.t);
             bool leftFirst = enterLeft <= enterRight;
-            stack[stackSize] = leftFirst ? node.first + 1u : node.first;
-            stackSize += max(enterLeft, enterRight) < kFar ? 1u : 0u;
-            if (leftFirst)
-                node = left;
-            else
-                node = right;
-            if (min(enterLeft, enterRight) == kFar) {
-                searching = stackSize > 0u;
-                if (searching)
-                    node = loadNode(stack[--stackSize]);
-            }
+            uint nearer = contentsOf(leftFirst ? left : right);
+            uint farther = contentsOf(leftFirst ? right : left);
+            stack[stackSize] = farther;
+            stackSize += greater(enterLeft, enterRight) < kFar ? 1u : 0u;
+            bool missed = lesser(enterLeft, enterRight) == kFar;
+            stackSize -= missed ? 1u : 0u;
+            uint aside = stack[stackSize];
+            contents = missed ? aside : nearer;
             iterations++;
         }
         iterations = subgroupMax(iterations) + 1u;
-        for (uint i = 0u; searching && i < node.count; ++i) {
-            uint primitive = node.first + i;
+        uint count = contents == kNone ? 0u : (contents & kCountMask) >> kCountShift;
+        uint first = contents & ~kCountMask;
+        for (uint i = 0u; i < count; ++i) {
+            uint primitive = first + i;
             float t = intersectPrimitive(primitive, ray, sheared);
-            if (t < hit.t && primitive != skipped)
-                hit = Hit(t, primitive);
+            bool nearest = t < hit.t && primitive != skipped;
+            hit.t = nearest ? t : hit.t;
+            hit.primitive = nearest ? primitive : hit.primitive;
             iterations++;
         }
         iterations = subgroupMax(iterations) + 2u;
-        searching = searching && stackSize > 0u && !(anyHit && hit.primitive != kNone);
-        if (searching)
-            node = loadNode(stack[--stackSize]);
-    } while (searching);
+        bool ended = contents == kNone || (anyHit && hit.primitive != kNone);
+        stackSize -= ended ? 0u : 1u;
+        contents = ended ? kNone : stack[stackSize];
+    } while (contents != kNone);
     iterations = subgroupMax(iterations);
     return hit;
 }

@@ -9,9 +9,7 @@
 #include "shapes/sphere.glsl"
 #include "shared/scene_structs.h"
 
-mat3 worldFromQuadric(Quadric quadric) {
-    return mat3(quadric.axisX, quadric.axisY, quadric.axisZ);
-}
+mat3 worldFromQuadric(Quadric quadric) { return mat3(quadric.axisX, quadric.axisY, quadric.axisZ); }
 
 /// Parameter of the first crossing along origin + t direction, or kFar.
 float intersectQuadric(Quadric quadric, vec3 origin, vec3 direction) {
@@ -52,13 +50,15 @@ QuadricPoint quadricPoint(Quadric quadric, vec3 p) {
         p.y = 0.0;
     }
     mat3 worldFromLocal = worldFromQuadric(quadric);
-    vec3 offset = worldFromLocal * p;
+    // Precise: a kernel for disks alone knows that p.y is 0 and must not sum in another order.
+    precise vec3 offset = worldFromLocal * p;
     QuadricPoint point;
     point.position = quadric.center + offset;
     point.normal = normalize(worldFromLocal * normal);
-    vec3 magnitude = abs(worldFromLocal[0] * p.x) + abs(worldFromLocal[1] * p.y) +
-                     abs(worldFromLocal[2] * p.z);
-    point.error = dot(abs(point.normal), GAMMA(12.0) * magnitude + GAMMA(2.0) * abs(point.position));
+    vec3 magnitude =
+        abs(worldFromLocal[0] * p.x) + abs(worldFromLocal[1] * p.y) + abs(worldFromLocal[2] * p.z);
+    point.error =
+        dot(abs(point.normal), GAMMA(12.0) * magnitude + GAMMA(2.0) * abs(point.position));
     return point;
 }
 

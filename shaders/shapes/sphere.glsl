@@ -19,7 +19,8 @@ float intersectSphere(LocalRay ray, float radius) {
     float rr = radius * radius;
     float cError = GAMMA(6.0) * (oo + rr) + 2.0 * dot(abs(o), ray.error);
     float near, far;
-    bool hit = quadraticRoots(a, dot(o, d), oo - rr, cError, rr * a - dot(moment, moment), near, far);
+    bool hit =
+        quadraticRoots(a, dot(o, d), oo - rr, cError, rr * a - dot(moment, moment), near, far);
     vec2 interval = vec2(min(near, far), max(near, far));
     return hit ? firstCrossing(interval) : kFar;
 }

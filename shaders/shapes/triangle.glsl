@@ -1,11 +1,11 @@
 // Watertight triangles (Woop, Benthin and Wald 2013, "Watertight Ray/Triangle Intersection").
 //
 // The corners, seen from the ray's origin, are sheared so that the ray becomes the z axis; the
-// triangle is hit where the origin of the xy plane lies inside its projection, by the signs of three
-// edge functions. Two triangles that share an edge compute the same products for it, subtracted the
-// other way round: `precise` forbids a fused multiply-add, whose two roundings would differ, so the
-// signs are opposite or both zero, and zero counts as inside for both. No ray passes between them.
-// There is no threshold on the determinant: small triangles are not lost.
+// triangle is hit where the origin of the xy plane lies inside its projection, by the signs of
+// three edge functions. Two triangles that share an edge compute the same products for it,
+// subtracted the other way round: `precise` forbids a fused multiply-add, whose two roundings would
+// differ, so the signs are opposite or both zero, and zero counts as inside for both. No ray passes
+// between them. There is no threshold on the determinant: small triangles are not lost.
 //
 // Error of t. With u the unit roundoff, M = max |x'| + max |z|, N = max |y'| + max |z| and
 // barycentric weights b_i = e_i / sum e_i, all of one sign for a hit:
@@ -20,6 +20,7 @@
 
 #include "core/constants.glsl"
 #include "core/rounding.glsl"
+#include "core/select.glsl"
 
 /// A ray prepared for many triangles: its longest axis becomes z, the other two follow in turn.
 struct ShearedRay {
@@ -56,17 +57,17 @@ TriangleHit intersectTriangle(ShearedRay ray, vec3 v0, vec3 v1, vec3 v2) {
     precise float e0 = pc.x * pb.y - pc.y * pb.x;
     precise float e1 = pa.x * pc.y - pa.y * pc.x;
     precise float e2 = pb.x * pa.y - pb.y * pa.x;
+    vec3 e = vec3(e0, e1, e2);
     float determinant = e0 + e1 + e2;
-    bool inside = (min(min(e0, e1), e2) >= 0.0 || max(max(e0, e1), e2) <= 0.0) && determinant != 0.0;
+    bool inside = (least(e) >= 0.0 || greatest(e) <= 0.0) && determinant != 0.0;
 
     vec3 z = ray.shear.z * vec3(a.z, b.z, c.z);
     float inverse = inside ? 1.0 / determinant : 0.0;
-    float t = dot(vec3(e0, e1, e2), z) * inverse;
+    float t = dot(e, z) * inverse;
 
-    vec3 zMagnitude = abs(vec3(a.z, b.z, c.z));
-    float zMax = max(max(zMagnitude.x, zMagnitude.y), zMagnitude.z);
-    vec2 pMax = max(max(abs(pa), abs(pb)), abs(pc)) + zMax;
-    float zRange = max(max(z.x, z.y), z.z) - min(min(z.x, z.y), z.z);
+    float zMax = greatest(abs(vec3(a.z, b.z, c.z)));
+    vec2 pMax = greater(greater(abs(pa), abs(pb)), abs(pc)) + zMax;
+    float zRange = greatest(z) - least(z);
     float tError = GAMMA(8.0) * zMax * abs(ray.shear.z) +
                    3.0 * GAMMA(28.0) * pMax.x * pMax.y * zRange * abs(inverse);
     TriangleHit hit;

@@ -1,36 +1,24 @@
 #pragma once
 
-#include <filesystem>
-#include <fstream>
-#include <optional>
+#include <ctime>
 #include <string>
-#include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 #include "base/error.h"
+#include "image_scratch_folder.h"
 #include "scene/load.h"
 
 namespace calotype::test {
 
-/// A directory of its own for the files of one test, gone with it.
+/// A folder of its own for the files of one test.
 class SceneFiles {
 public:
-    SceneFiles() {
-        std::string pattern = (std::filesystem::temp_directory_path() / "calotype-XXXXXX").string();
-        directory_ = mkdtemp(pattern.data());
-    }
-    ~SceneFiles() { std::filesystem::remove_all(directory_); }
-    SceneFiles(const SceneFiles&) = delete;
-    SceneFiles& operator=(const SceneFiles&) = delete;
-
-    std::string path(const std::string& name) const { return (directory_ / name).string(); }
+    std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
     std::string write(const std::string& name, const std::string& text) const {
-        std::filesystem::create_directories((directory_ / name).parent_path());
-        std::ofstream(directory_ / name, std::ios::binary) << text;
+        writeBytes(folder_ / name, text);
         return path(name);
     }
 
@@ -42,7 +30,7 @@ public:
     }
 
 private:
-    std::filesystem::path directory_;
+    ScratchFolder folder_;
 };
 
 /// The SceneError that `action` throws; a failure of the test and an empty one if it throws none.
@@ -55,6 +43,14 @@ SceneError errorOf(Action&& action) {
     }
     ADD_FAILURE() << "no SceneError was thrown";
     return {"", ""};
+}
+
+/// Processor time that `action` takes, which other programs' load does not change.
+template <typename Action>
+double processorSeconds(Action&& action) {
+    const std::clock_t start = std::clock();
+    action();
+    return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
 /// Expects `error` at "DIRECTORY/where" (the file's own name and what follows) and a message that

@@ -1,0 +1,198 @@
+// What `calotype render` writes and says.
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/cli_test.h"
+#include "image/exr.h"
+#include "image/metrics.h"
+#include "image/pfm.h"
+
+namespace calotype::test {
+namespace {
+
+using RenderTest = CliTest;
+
+TEST_F(RenderTest, WritesEveryFormatAlike) {
+    const std::string png = folder_ / "a.png";
+    const std::string exr = folder_ / "a.EXR";
+    const std::string pfm = folder_ / "a.pfm";
+    const ProgramResult result =
+        runProgram({"render", scene_, "-o", png, "-o", exr, "-o", pfm, "--seed", "7"});
+    EXPECT_EQ(result.exitCode, 0) << result.errors;
+    EXPECT_TRUE(result.output.empty()) << result.output;
+    EXPECT_EQ(readText(png).substr(1, 3), "PNG");
+    const Image a = readExr(exr);
+    const Image b = readPfm(pfm);
+    EXPECT_EQ(a.width, 32u);
+    EXPECT_EQ(a.height, 24u);
+    EXPECT_EQ(a.pixels, b.pixels);
+    EXPECT_GT(imageMean(a).y, 0.01);
+    const std::string header = readText(exr).substr(0, 2000);
+    for (const char* name : {"calotype:sceneHash", "calotype:seed", "calotype:spp",
+                             "calotype:version", "calotype:seconds"})
+        EXPECT_NE(header.find(name), std::string::npos) << name;
+}
+
+TEST_F(RenderTest, CommandLineOverridesTheScene) {
+    const std::string first = folder_ / "a.pfm";
+    const std::string second = folder_ / "b.pfm";
+    runProgram({"render", scene_, "-o", first, "--spp", "2", "--max-bounces", "1", "--seed", "3",
+                "--size", "20x10"});
+    runProgram({"render", scene_, "-o", second, "--set", "/render/spp=2", "--set",
+                "/render/max_bounces=1", "--set", "/render/seed=3", "--set", "/film/width=20",
+                "--set", "/film/height=10"});
+    EXPECT_EQ(readPfm(first).width, 20u);
+    EXPECT_EQ(readText(first), readText(second));
+}
+
+TEST_F(RenderTest, ThreadsDoNotChangeThePicture) {
+    const std::string first = folder_ / "a.pfm";
+    const std::string second = folder_ / "b.pfm";
+    runProgram({"render", scene_, "-o", first, "--threads", "1"});
+    runProgram({"render", scene_, "-o", second, "--threads", "2"});
+    EXPECT_EQ(readText(first), readText(second));
+}
+
+TEST_F(RenderTest, ExposureBrightensThePng) {
+    const std::string plain = folder_ / "a.png";
+    const std::string bright = folder_ / "b.png";
+    const std::string exr = folder_ / "b.exr";
+    runProgram({"render", scene_, "-o", plain});
+    runProgram({"render", scene_, "-o", bright, "-o", exr, "--exposure", "2"});
+    EXPECT_NE(readText(plain), readText(bright));
+    const std::string plainExr = folder_ / "a.exr";
+    runProgram({"render", scene_, "-o", plainExr});
+    EXPECT_EQ(readExr(plainExr).pixels, readExr(exr).pixels);
+}
+
+TEST_F(RenderTest, StatsSayWhatWasDone) {
+    const std::string stats = folder_ / "stats.json";
+    const ProgramResult result = runProgram(
+        {"render", scene_, "-o", folder_ / "a.png", "--stats", stats, "--crop", "4,2,16,8"});
+    ASSERT_EQ(result.exitCode, 0) << result.errors;
+    const auto json = nlohmann::json::parse(readText(stats));
+    EXPECT_EQ(json["resolution"], nlohmann::json({32, 24}));
+    EXPECT_EQ(json["crop"], nlohmann::json({4, 2, 16, 8}));
+    EXPECT_EQ(json["spp"], 4);
+    EXPECT_EQ(json["paths"], 16 * 8 * 4);
+    EXPECT_GE(json["rays"], 16 * 8 * 4);
+    EXPECT_EQ(json["non_finite_samples"], 0);
+    EXPECT_FALSE(json["device"].get<std::string>().empty());
+    EXPECT_FALSE(json["driver"].get<std::string>().empty());
+    EXPECT_GT(json["peak_memory_bytes"], 1 << 20);
+    for (const char* stage :
+         {"load", "build", "upload", "compile", "first_sample", "render", "write"})
+        EXPECT_GT(json["seconds"][stage].get<double>(), 0.0) << stage;
+    EXPECT_GT(json["seconds"]["first_sample"], json["seconds"]["compile"]);
+}
+
+// Off a terminal, with the program's pace: a summary and no control characters.
+TEST_F(RenderTest, OffATerminalThereAreFewPlainLines) {
+    const ProgramResult result = runProgram({"render", scene_, "-o", folder_ / "a.png"});
+    EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
+    EXPECT_EQ(result.errors.find('\r'), std::string::npos);
+    EXPECT_EQ(result.errors.find('\033'), std::string::npos);
+    EXPECT_NE(result.errors.find("4 of 4 samples"), std::string::npos);
+    EXPECT_TRUE(runProgram({"render", scene_, "-o", folder_ / "a.png", "-q"}).errors.empty());
+}
+
+TEST_F(RenderTest, OnATerminalThereIsABar) {
+    ProgramOptions options;
+    options.onTerminal = true;
+    const ProgramResult result =
+        runProgram({"render", scene_, "-o", folder_ / "a.png", "--spp", "2048"}, options);
+    EXPECT_EQ(result.exitCode, 0);
+    EXPECT_NE(result.errors.find("\r\033[K["), std::string::npos) << result.errors;
+    for (const char* word : {"/2048 spp", "samples/s", "rays/s", "elapsed", "left"})
+        EXPECT_NE(result.errors.find(word), std::string::npos) << word;
+}
+
+TEST_F(RenderTest, SceneWithoutLightIsABlackPictureWithAWarning) {
+    const std::string scene = folder_.write(
+        "dark.json",
+        R"({ "camera": { "position": [0, 0, 0] }, "film": { "width": 8, "height": 8 } })");
+    const std::string out = folder_ / "dark.pfm";
+    const ProgramResult result = runProgram({"render", scene, "-o", out, "--spp", "2"});
+    EXPECT_EQ(result.exitCode, 0) << result.errors;
+    EXPECT_NE(result.errors.find("warning"), std::string::npos) << result.errors;
+    EXPECT_NE(result.errors.find("black"), std::string::npos) << result.errors;
+    for (const glm::vec3& pixel : readPfm(out).pixels)
+        EXPECT_EQ(pixel, glm::vec3(0.0f));
+}
+
+// Whole at every moment: whenever one looks, the preview is absent or a complete picture.
+TEST_F(RenderTest, PreviewsAreWholeAtEveryMoment) {
+    const std::string preview = folder_ / "preview.pfm";
+    size_t looks = 0;
+    std::vector<std::string> versions;
+    ProgramOptions options;
+    options.whileRunning = [&](int, double) {
+        if (!std::filesystem::exists(preview))
+            return;
+        const std::string bytes = readText(preview);
+        EXPECT_EQ(bytes.size(), std::string("PF\n32 24\n-1.0\n").size() + 32 * 24 * 12);
+        ++looks;
+        if (versions.empty() || versions.back() != bytes)
+            versions.push_back(bytes);
+    };
+    const ProgramResult result =
+        runProgram({"render", scene_, "-o", folder_ / "a.png", "--spp", "1024", "--preview-every",
+                    "16", "--preview-file", preview},
+                   options);
+    EXPECT_EQ(result.exitCode, 0) << result.errors;
+    EXPECT_GT(looks, 0u);
+    EXPECT_GT(versions.size(), 1u);
+    EXPECT_EQ(folder_.names(), (std::vector<std::string>{"a.png", "preview.pfm", "scene.json"}));
+}
+
+TEST_F(RenderTest, PreviewsBySeconds) {
+    const std::string preview = folder_ / "preview.png";
+    const ProgramResult result =
+        runProgram({"render", scene_, "-o", folder_ / "a.png", "--spp", "2048", "--preview-every",
+                    "0.1s", "--preview-file", preview});
+    EXPECT_EQ(result.exitCode, 0) << result.errors;
+    EXPECT_TRUE(std::filesystem::exists(preview));
+}
+
+/// Sends `signals` SIGINTs, 50 ms apart, once the program has run for half a second.
+ProgramOptions interruptAfterHalfASecond(int signals, double& sentAt) {
+    ProgramOptions options;
+    options.whileRunning = [signals, &sentAt, sent = 0](int pid, double seconds) mutable {
+        if (sent < signals && seconds > 0.5 + 0.05 * sent) {
+            kill(pid, SIGINT);
+            sentAt = seconds;
+            ++sent;
+        }
+    };
+    return options;
+}
+
+// 1280 x 960 pixels at a million samples: far from a whole block, let alone the end.
+TEST_F(RenderTest, InterruptWritesWhatThereIsWithinASecond) {
+    const std::string out = folder_ / "a.pfm";
+    const std::string stats = folder_ / "stats.json";
+    double sentAt = 0.0;
+    const ProgramResult result = runProgram(
+        {"render", scene_, "-o", out, "--size", "640x480", "--spp", "1000000", "--stats", stats},
+        interruptAfterHalfASecond(1, sentAt));
+    EXPECT_EQ(result.exitCode, 1) << result.errors;
+    EXPECT_LT(result.seconds - sentAt, 1.0);
+    EXPECT_NE(result.errors.find("interrupted"), std::string::npos) << result.errors;
+    EXPECT_GT(imageMean(readPfm(out)).y, 0.0);
+    EXPECT_LT(nlohmann::json::parse(readText(stats))["spp"], 1000);
+}
+
+TEST_F(RenderTest, SecondInterruptEndsAtOnce) {
+    double sentAt = 0.0;
+    const ProgramResult result = runProgram(
+        {"render", scene_, "-o", folder_ / "a.pfm", "--size", "640x480", "--spp", "1000000"},
+        interruptAfterHalfASecond(2, sentAt));
+    EXPECT_TRUE(result.exitCode == 128 + SIGINT || result.exitCode == 1) << result.exitCode;
+    EXPECT_LT(result.seconds - sentAt, 1.0);
+}
+
+} // namespace
+} // namespace calotype::test

@@ -1,0 +1,107 @@
+// What must not change the picture, and does not by a single bit.
+#include <cmath>
+
+#include "image/metrics.h"
+#include "image/scene_builder.h"
+#include "support/gpu_test.h"
+#include "support/render_scene.h"
+
+namespace calotype::test {
+namespace {
+
+class InvarianceTest : public GpuTest {
+protected:
+    /// Every kind of primitive and light, smooth normals, and a light hidden from the camera.
+    static Scene everything() { return projectScene("tests/image/scenes/everything.json"); }
+
+    static RenderWish small() {
+        RenderWish wish;
+        wish.width = 48;
+        wish.height = 40;
+        wish.samplesPerPixel = 20;
+        return wish;
+    }
+};
+
+void expectSamePixels(const Image& a, const Image& b) {
+    ASSERT_EQ(a.width, b.width);
+    ASSERT_EQ(a.height, b.height);
+    size_t different = 0;
+    for (size_t i = 0; i < a.pixels.size(); ++i)
+        different += a.pixels[i] == b.pixels[i] ? 0 : 1;
+    EXPECT_EQ(different, 0u);
+    EXPECT_GT(imageMean(a).x, 0.01); // not two black pictures
+}
+
+// Specialising only removes code: for each scene, the kernel made for it and the kernel for all.
+TEST_F(InvarianceTest, SpecialisedKernelEqualsEverythingOn) {
+    for (const char* path : {"scenes/cornell-box.json", "scenes/sphere.json",
+                             "scenes/cylinder.json", "scenes/cone.json", "scenes/disk.json",
+                             "scenes/mesh.json", "tests/image/scenes/everything.json"}) {
+        SCOPED_TRACE(path);
+        const Scene scene = projectScene(path);
+        RenderWish wish = small();
+        const Image specialised = renderScene(scene, wish).image;
+        wish.features = SceneFeatures::all();
+        expectSamePixels(specialised, renderScene(scene, wish).image);
+    }
+}
+
+TEST_F(InvarianceTest, PassesDoNotMatter) {
+    RenderWish wish = small();
+    const Image whole = renderScene(everything(), wish).image;
+    wish.passSamples = 3;
+    expectSamePixels(whole, renderScene(everything(), wish).image);
+}
+
+TEST_F(InvarianceTest, CropIsAPartOfTheWhole) {
+    RenderWish wish = small();
+    const Image whole = renderScene(everything(), wish).image;
+    wish.crop = Crop{13, 7, 21, 18};
+    const Image crop = renderScene(everything(), wish).image;
+    ASSERT_EQ(crop.width, 21u);
+    ASSERT_EQ(crop.height, 18u);
+    for (uint32_t y = 0; y < crop.height; ++y)
+        for (uint32_t x = 0; x < crop.width; ++x)
+            ASSERT_EQ(crop.at(x, y), whole.at(x + 13, y + 7)) << x << "," << y;
+}
+
+TEST_F(InvarianceTest, SeedsDiffer) {
+    RenderWish wish = small();
+    const Image first = renderScene(everything(), wish).image;
+    wish.seed = 1;
+    const Image second = renderScene(everything(), wish).image;
+    EXPECT_NE(first.pixels, second.pixels);
+}
+
+// Stopped after a few dispatches and asked for its picture, a session shows the samples it has.
+TEST_F(InvarianceTest, StoppedSessionShowsWhatThereIs) {
+    RenderWish wish = small();
+    wish.samplesPerPixel = 1 << 20;
+    int dispatches = 0;
+    wish.observer.shouldStop = [&] { return ++dispatches == 12; };
+    const RenderedScene stopped = renderScene(everything(), wish);
+    EXPECT_EQ(dispatches, 12);
+    EXPECT_GT(stopped.totals.paths, 0u);
+    EXPECT_GT(imageMean(stopped.image).x, 0.01);
+}
+
+// Scattering 200 times in a closed room takes more loop iterations than llvmpipe grants a dispatch
+// for a block of samples, so the work has to be taken up again; the mean tells if any was lost.
+TEST_F(InvarianceTest, LongPathsSurviveTheLoopBudget) {
+    SceneBuilder builder;
+    builder.material(0.98, 0.02);
+    builder.add(makeShape(Sphere{{}, 1.0}, 0));
+    Scene& scene = builder.scene();
+    scene.film = {16, 16};
+    scene.render = {64, 400, 0};
+    scene.camera.position = {0.1, 0.2, 0.15};
+    const RenderedScene result = renderScene(scene);
+    EXPECT_EQ(result.totals.cutPaths, 0u);
+    EXPECT_EQ(result.totals.paths, 16u * 16u * 64u);
+    const double expected = 1.0 - std::pow(0.98, 401);
+    EXPECT_NEAR(imageMean(result.image).x, expected, 0.01);
+}
+
+} // namespace
+} // namespace calotype::test

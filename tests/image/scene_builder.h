@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <numbers>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace calotype::test {
+
+/// Scenes put together in code, for tests that know the answer.
+class SceneBuilder {
+public:
+    SceneBuilder() {
+        scene_.film = {16, 16};
+        scene_.render = {16, 0, 0};
+    }
+
+    uint32_t material(double albedo, double emission, bool frontOnly = false) {
+        Material material;
+        material.color = glm::dvec3(albedo);
+        material.emission = glm::dvec3(emission);
+        material.emitsFromFrontOnly = frontOnly;
+        scene_.materials.push_back(material);
+        return static_cast<uint32_t>(scene_.materials.size() - 1);
+    }
+
+    SceneBuilder& add(Shape shape) {
+        scene_.shapes.push_back(std::move(shape));
+        return *this;
+    }
+
+    /// A convex polygon as a fan of triangles.
+    SceneBuilder& polygon(const std::vector<glm::dvec3>& corners, uint32_t material) {
+        Mesh mesh;
+        mesh.positions = corners;
+        for (uint32_t i = 2; i < corners.size(); ++i)
+            mesh.triangles.push_back(
+                {{0, i - 1, i}, {Mesh::kNoNormal, Mesh::kNoNormal, Mesh::kNoNormal}, material});
+        Shape shape;
+        shape.geometry = std::move(mesh);
+        return add(std::move(shape));
+    }
+
+    /// Looks straight down from `height` above the origin, at a square of `side` metres on the
+    /// plane y = 0.
+    SceneBuilder& lookDown(double height, double side) {
+        scene_.camera.position = {0.0, height, 0.0};
+        scene_.camera.forward = {0.0, -1.0, 0.0};
+        scene_.camera.up = {0.0, 0.0, -1.0};
+        scene_.camera.right = {1.0, 0.0, 0.0};
+        scene_.camera.verticalFov = 2.0 * std::atan2(0.5 * side, height);
+        return *this;
+    }
+
+    Scene& scene() { return scene_; }
+
+private:
+    Scene scene_;
+};
+
+template <typename Geometry>
+Shape makeShape(Geometry geometry, uint32_t material) {
+    Shape shape;
+    shape.geometry = std::move(geometry);
+    shape.material = material;
+    return shape;
+}
+
+} // namespace calotype::test

@@ -1,0 +1,111 @@
+// Data flows one way through host/, and no file of the shader library reaches outside its rules.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace calotype::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kRoot = CALOTYPE_SOURCE_DIR;
+
+std::vector<fs::path> filesBelow(const fs::path& folder) {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file())
+            files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+std::vector<std::string> linesOf(const fs::path& file) {
+    std::vector<std::string> lines;
+    std::ifstream stream(file);
+    for (std::string line; std::getline(stream, line);)
+        lines.push_back(line);
+    return lines;
+}
+
+/// The first folder of each quoted include of a file.
+std::set<std::string> includedFolders(const fs::path& file) {
+    static const std::regex include(R"(^\s*#\s*include\s*"([a-z_]+)/)");
+    std::set<std::string> folders;
+    for (const std::string& line : linesOf(file))
+        if (std::smatch match; std::regex_search(line, match, include))
+            folders.insert(match[1]);
+    return folders;
+}
+
+// The order of the design: a folder includes itself and what stands to its left.
+TEST(FolderOrderTest, HostIncludesOnlyToTheLeft) {
+    const std::vector<std::string> order = {"base", "math", "image", "scene",   "accel",  "shared",
+                                            "pack", "gpu",  "film",  "kernels", "render", "cli"};
+    std::map<std::string, long> place;
+    for (const std::string& folder : order)
+        place[folder] = std::find(order.begin(), order.end(), folder) - order.begin();
+    size_t files = 0;
+    for (const fs::path& file : filesBelow(kRoot / "host")) {
+        const std::string folder = *fs::relative(file, kRoot / "host").begin();
+        ASSERT_TRUE(place.contains(folder)) << folder << " has no place in the order";
+        ++files;
+        for (const std::string& included : includedFolders(file)) {
+            // Constants that host and kernels share are open to all who count in them.
+            if (included == "shared" && (folder == "accel" || folder == "film"))
+                continue;
+            ASSERT_TRUE(place.contains(included)) << file << " includes unknown " << included;
+            EXPECT_LE(place[included], place[folder]) << file << " includes " << included;
+        }
+    }
+    EXPECT_GT(files, 50u);
+}
+
+// Shader library code is pure, so that a test kernel can call the very function that the renderer
+// calls: resources and specialization constants are declared in scene/ and kernels/ only.
+TEST(FolderOrderTest, ShaderLibraryIsPure) {
+    static const std::regex impure(R"(\blayout\s*\(|\bgl_[A-Z]|\btexelFetch\b|\bimageLoad\b)");
+    for (const fs::path& file : filesBelow(kRoot / "shaders")) {
+        const std::string folder = *fs::relative(file, kRoot / "shaders").begin();
+        if (folder == "scene" || folder == "kernels")
+            continue;
+        for (const std::string& line : linesOf(file))
+            EXPECT_FALSE(std::regex_search(line, impure)) << file << ": " << line;
+    }
+}
+
+TEST(FolderOrderTest, KernelsAreShort) {
+    for (const fs::path& file : filesBelow(kRoot / "shaders/kernels"))
+        EXPECT_LE(linesOf(file).size(), 80u) << file;
+}
+
+TEST(FolderOrderTest, LinesFitIntoAHundredColumns) {
+    for (const char* folder : {"host", "shaders", "tests"})
+        for (const fs::path& file : filesBelow(kRoot / folder)) {
+            const std::string extension = file.extension();
+            if (extension != ".cpp" && extension != ".h" && extension != ".glsl" &&
+                extension != ".comp")
+                continue;
+            for (const std::string& line : linesOf(file)) {
+                const auto continuationBytes = std::count_if(
+                    line.begin(), line.end(), [](char c) { return (c & 0xC0) == 0x80; });
+                EXPECT_LE(static_cast<long>(line.size()) - continuationBytes, 100)
+                    << file << ": " << line;
+            }
+        }
+}
+
+TEST(FolderOrderTest, EveryFolderOfTheHostIsLinkedWithoutAWindowSystem) {
+    for (const fs::path& file : filesBelow(kRoot / "host"))
+        for (const std::string& line : linesOf(file))
+            EXPECT_EQ(line.find("VK_KHR_surface"), std::string::npos) << file;
+}
+
+} // namespace
+} // namespace calotype::test

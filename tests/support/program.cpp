@@ -1,0 +1,130 @@
+#include "support/program.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fcntl.h>
+#include <fstream>
+#include <poll.h>
+#include <pty.h>
+#include <sstream>
+#include <stdexcept>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace calotype::test {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+[[noreturn]] void executeChild(const std::vector<std::string>& arguments,
+                               const ProgramOptions& options) {
+    for (const auto& [name, value] : options.environment)
+        setenv(name.c_str(), value.c_str(), 1);
+    std::vector<char*> argv = {const_cast<char*>(CALOTYPE_PROGRAM)};
+    for (const std::string& argument : arguments)
+        argv.push_back(const_cast<char*>(argument.c_str()));
+    argv.push_back(nullptr);
+    execv(CALOTYPE_PROGRAM, argv.data());
+    _exit(127);
+}
+
+/// Appends what can be read at once. False at the end.
+bool drain(int fd, std::string& text) {
+    char buffer[4096];
+    const ssize_t n = read(fd, buffer, sizeof buffer);
+    if (n > 0)
+        text.append(buffer, static_cast<size_t>(n));
+    return n > 0;
+}
+
+struct Child {
+    int pid = -1;
+    int outputFd = -1;
+    int errorFd = -1;
+};
+
+Child start(const std::vector<std::string>& arguments, const ProgramOptions& options) {
+    Child child;
+    if (options.onTerminal) {
+        child.pid = forkpty(&child.errorFd, nullptr, nullptr, nullptr);
+        if (child.pid == 0)
+            executeChild(arguments, options);
+        return child;
+    }
+    int out[2];
+    int err[2];
+    if (pipe2(out, O_CLOEXEC) != 0 || pipe2(err, O_CLOEXEC) != 0)
+        throw std::runtime_error("pipe2 failed");
+    child.pid = fork();
+    if (child.pid == 0) {
+        dup2(out[1], STDOUT_FILENO);
+        dup2(err[1], STDERR_FILENO);
+        executeChild(arguments, options);
+    }
+    close(out[1]);
+    close(err[1]);
+    child.outputFd = out[0];
+    child.errorFd = err[0];
+    return child;
+}
+
+} // namespace
+
+ProgramResult runProgram(const std::vector<std::string>& arguments, const ProgramOptions& options) {
+    ProgramResult result;
+    const Clock::time_point begin = Clock::now();
+    const Child child = start(arguments, options);
+    const auto age = [&] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
+    pollfd fds[2] = {{child.outputFd, POLLIN, 0}, {child.errorFd, POLLIN, 0}};
+    while (fds[0].fd >= 0 || fds[1].fd >= 0) {
+        poll(fds, 2, 20);
+        if (fds[0].fd >= 0 && fds[0].revents != 0 && !drain(fds[0].fd, result.output))
+            fds[0].fd = -1;
+        if (fds[1].fd >= 0 && fds[1].revents != 0 && !drain(fds[1].fd, result.errors))
+            fds[1].fd = -1;
+        if (options.whileRunning)
+            options.whileRunning(child.pid, age());
+    }
+    int status = 0;
+    waitpid(child.pid, &status, 0);
+    result.seconds = age();
+    result.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    for (const int fd : {child.outputFd, child.errorFd})
+        if (fd >= 0)
+            close(fd);
+    return result;
+}
+
+ScratchFolder::ScratchFolder() {
+    std::string pattern =
+        (std::filesystem::temp_directory_path() / "calotype-test-XXXXXX").string();
+    if (!mkdtemp(pattern.data()))
+        throw std::runtime_error("mkdtemp failed");
+    path_ = pattern;
+}
+
+ScratchFolder::~ScratchFolder() {
+    std::filesystem::remove_all(path_);
+}
+
+std::string ScratchFolder::write(const std::string& name, const std::string& text) const {
+    std::ofstream(path_ / name, std::ios::binary) << text;
+    return *this / name;
+}
+
+std::vector<std::string> ScratchFolder::names() const {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(path_))
+        names.push_back(entry.path().filename());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+std::string readText(const std::string& path) {
+    std::ifstream stream(path, std::ios::binary);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return text.str();
+}
+
+} // namespace calotype::test

@@ -1,0 +1,162 @@
+#include <numbers>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "pack/pack_shapes.h"
+#include "support/test_scenes.h"
+
+namespace calotype::test {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+/// Grey, a lamp of both sides, a hidden one-sided lamp.
+std::vector<Material> materials() {
+    Material grey;
+    grey.color = glm::dvec3(0.25, 0.5, 0.75);
+    Material lamp;
+    lamp.emission = glm::dvec3(1.0, 2.0, 4.0);
+    Material hidden;
+    hidden.emission = glm::dvec3(8.0, 0.0, 0.0);
+    hidden.emitsFromFrontOnly = true;
+    hidden.visibleToCamera = false;
+    return {grey, lamp, hidden};
+}
+
+GpuScene packed(std::vector<Shape> shapes) {
+    Scene scene = sceneOf(std::move(shapes));
+    scene.materials = materials();
+    return packAsProgram(scene).packed;
+}
+
+std::set<uint32_t> featuresOf(const GpuScene& scene) {
+    std::set<uint32_t> enabled;
+    for (uint32_t i = 0; i < gpu::kFeatureCount; ++i)
+        if (scene.features.enabled[i])
+            enabled.insert(i);
+    return enabled;
+}
+
+Mesh triangleOf(uint32_t material) {
+    Mesh mesh = singleTriangle({0, 0, 0}, {2, 0, 0}, {0, 1, 0});
+    mesh.triangles[0].material = material;
+    return mesh;
+}
+
+using Features = std::set<uint32_t>;
+
+TEST(PackScene, EnablesWhatTheSceneHasAndNothingElse) {
+    EXPECT_EQ(featuresOf(packed({shapeOf(Sphere{})})), Features{gpu::kFeatureSpheres});
+    EXPECT_EQ(featuresOf(packed({shapeOf(Cylinder{})})), Features{gpu::kFeatureCylinders});
+    EXPECT_EQ(featuresOf(packed({shapeOf(Cone{})})), Features{gpu::kFeatureCones});
+    EXPECT_EQ(featuresOf(packed({shapeOf(Disk{})})), Features{gpu::kFeatureDisks});
+    EXPECT_EQ(featuresOf(packed({shapeOf(triangleOf(0))})), Features{gpu::kFeatureTriangles});
+    EXPECT_EQ(featuresOf(packed({shapeOf(triangleOf(1))})),
+              (Features{gpu::kFeatureTriangles, gpu::kFeatureTriangleLights}));
+    EXPECT_EQ(featuresOf(packed({shapeOf(Sphere{}, 1), shapeOf(Disk{}, 2)})),
+              (Features{gpu::kFeatureSpheres, gpu::kFeatureDisks, gpu::kFeatureSphereLights,
+                        gpu::kFeatureDiskLights, gpu::kFeatureHiddenLights}));
+    EXPECT_EQ(featuresOf(packed({shapeOf(Cylinder{}, 1), shapeOf(Cone{}, 1)})),
+              (Features{gpu::kFeatureCylinders, gpu::kFeatureCones, gpu::kFeatureCylinderLights,
+                        gpu::kFeatureConeLights}));
+    Mesh smooth = triangleOf(0);
+    smooth.normals = {{0, 0, 1}};
+    smooth.triangles[0].normal[0] = smooth.triangles[0].normal[1] = smooth.triangles[0].normal[2] =
+        0;
+    EXPECT_EQ(featuresOf(packed({shapeOf(smooth)})),
+              (Features{gpu::kFeatureTriangles, gpu::kFeatureSmoothNormals}));
+}
+
+TEST(PackScene, LinksLightsAndPrimitivesBothWays) {
+    const GpuScene scene = packed({shapeOf(Sphere{{}, 2.0}, 1), shapeOf(Sphere{{}, 1.0}),
+                                   shapeOf(triangleOf(2)), shapeOf(Disk{{}, 3.0}, 1)});
+    ASSERT_EQ(scene.lightCount, 3u);
+    double chances = 0.0;
+    for (uint32_t i = 0; i < scene.lightCount; ++i) {
+        const gpu::Light& light = scene.lights[i];
+        chances += double(light.selectionChance);
+        const bool isQuadric = light.primitive & gpu::kQuadricBit;
+        const uint32_t index = light.primitive & ~gpu::kQuadricBit;
+        EXPECT_EQ(isQuadric ? scene.quadrics[index].light : scene.triangles[index].light, i);
+        const uint32_t id = isQuadric ? scene.quadrics[index].id : scene.triangles[index].id;
+        // By luminance, area and sides, up to a common factor.
+        const double lamp = 2.0 * (0.2126 + 2.0 * 0.7152 + 4.0 * 0.0722);
+        const std::array powers = {lamp * 16.0 * kPi, 0.0, 0.2126 * 8.0 * 1.0, lamp * 9.0 * kPi};
+        const double sum = powers[0] + powers[2] + powers[3];
+        EXPECT_NEAR(light.selectionChance, powers[id] / sum, 1e-6);
+        const std::array areas = {16.0 * kPi, 0.0, 1.0, 9.0 * kPi};
+        EXPECT_NEAR(light.area, areas[id], 1e-5);
+        EXPECT_EQ(light.radiance, id == 2 ? glm::vec3(8, 0, 0) : glm::vec3(1, 2, 4));
+        EXPECT_EQ(light.flags, id == 2 ? gpu::kLightHiddenFromCamera : gpu::kLightEmitsFromBack);
+    }
+    EXPECT_NEAR(chances, 1.0, 1e-6);
+    EXPECT_EQ(scene.maxRadiance, 8.0);
+    for (const gpu::Quadric& quadric : scene.quadrics)
+        EXPECT_EQ(quadric.light == gpu::kNone, quadric.id == 1);
+}
+
+TEST(PackScene, NamesInItsLeavesAreRangesOfOneArray) {
+    std::vector<Shape> shapes;
+    for (int i = 0; i < 100; ++i) {
+        shapes.push_back(shapeOf(Sphere{{glm::dmat3(1.0), {double(i), 0.0, 0.0}}, 0.4}));
+        shapes.push_back(
+            shapeOf(singleTriangle({double(i), 0, 0}, {i + 0.5, 1, 0}, {i + 0.5, 0, 1})));
+    }
+    const GpuScene scene = packed(shapes);
+    std::set<uint32_t> named;
+    for (const gpu::BvhNode& node : scene.nodes) {
+        for (uint32_t i = 0; i < node.count; ++i) {
+            const uint32_t name = node.first + i;
+            EXPECT_TRUE(named.insert(name).second);
+            const bool isQuadric = name & gpu::kQuadricBit;
+            ASSERT_LT(name & ~gpu::kQuadricBit,
+                      isQuadric ? scene.quadrics.size() : scene.triangles.size());
+            const glm::vec3 point = isQuadric ? scene.quadrics[name & ~gpu::kQuadricBit].center
+                                              : scene.triangles[name].v0;
+            EXPECT_EQ(glm::clamp(point, node.lower, node.upper), point);
+        }
+    }
+    EXPECT_EQ(named.size(), shapes.size());
+}
+
+TEST(PackScene, CarriesMaterialsAndTheCamera) {
+    Scene scene = sceneOf({shapeOf(Sphere{{glm::dmat3(1.0), {100.0, 0.0, 0.0}}, 1.0})});
+    scene.materials = materials();
+    scene.camera.position = {90.0, 3.0, 0.0};
+    scene.camera.verticalFov = kPi / 2.0;
+    PackedScene result = packAsProgram(scene);
+    const GpuScene wide =
+        packScene(scene, result.primitives, result.bvh, result.packed.origin, 2.0);
+    EXPECT_EQ(wide.origin, glm::dvec3(99.0, 1.0, 0.0));
+    EXPECT_EQ(wide.camera.position, glm::vec3(-9.0f, 2.0f, 0.0f));
+    EXPECT_NEAR(glm::distance(wide.camera.right, glm::vec3(2, 0, 0)), 0.0, 1e-6);
+    EXPECT_NEAR(glm::distance(wide.camera.up, glm::vec3(0, 1, 0)), 0.0, 1e-6);
+    EXPECT_EQ(wide.camera.forward, glm::vec3(0, 0, -1));
+    EXPECT_EQ(wide.quadrics[0].center, glm::vec3(1.0f, -1.0f, 0.0f));
+    ASSERT_EQ(wide.materials.size(), 3u);
+    EXPECT_EQ(wide.materials[0].color, glm::vec3(0.25f, 0.5f, 0.75f));
+}
+
+TEST(PackScene, OfNothingHasArraysAllTheSame) {
+    const GpuScene scene = packed({});
+    EXPECT_EQ(scene.lightCount, 0u);
+    ASSERT_EQ(scene.nodes.size(), 1u);
+    EXPECT_EQ(scene.nodes[0].count, 1u);
+    EXPECT_EQ(scene.triangles.size(), 1u);
+    EXPECT_EQ(scene.quadrics.size(), 1u);
+    EXPECT_EQ(scene.lights.size(), 1u);
+    EXPECT_EQ(featuresOf(scene), Features{gpu::kFeatureTriangles});
+}
+
+TEST(AreaOf, IsThatOfTheWholeSurface) {
+    const auto area = [](auto shape) { return areaOf(packQuadric(shapeOf(shape), {}, 0)); };
+    EXPECT_NEAR(area(Sphere{{}, 2.0}), 16.0 * kPi, 1e-5);
+    EXPECT_NEAR(area(Cylinder{{}, 2.0, 3.0}), 2.0 * 4.0 * kPi + 4.0 * kPi * 3.0, 1e-5);
+    EXPECT_NEAR(area(Cone{{}, -4.0, 0.75}), 9.0 * kPi + kPi * 3.0 * 5.0, 1e-5);
+    EXPECT_NEAR(area(Disk{{}, 2.0}), 4.0 * kPi, 1e-5);
+    EXPECT_NEAR(areaOf(packTriangle(triangleOf(0), 0, {}, 0)), 1.0, 1e-12);
+}
+
+} // namespace
+} // namespace calotype::test

@@ -1,0 +1,102 @@
+// JSON as text: syntax, comments, repeated keys, and files that are deep, long or out of range.
+
+#include <string>
+
+#include "scene_files.h"
+
+namespace calotype::test {
+namespace {
+
+SceneError errorOfText(const std::string& text) {
+    const SceneFiles files;
+    return errorOf([&] { files.loadText(text); });
+}
+
+double secondsFor(const std::string& text) {
+    const SceneFiles files;
+    return processorSeconds([&] { errorOf([&] { files.loadText(text); }); });
+}
+
+TEST(SceneSyntax, AcceptsCommentsOfBothKinds) {
+    const SceneFiles files;
+    const Scene scene = files.loadText("// first\n{ /* in\nside */ \"camera\": {} // last\n}");
+    EXPECT_EQ(scene.film.width, 640u);
+}
+
+TEST(SceneSyntax, NamesLineAndColumn) {
+    expectError(errorOfText("{\n  \"camera\": {},\n  \"film\" {}\n}"), "scene.json:3:10",
+                "expected ':'");
+    expectError(errorOfText("{\"camera\": {},}"), "scene.json:1:15", "unexpected '}'");
+    expectError(errorOfText(""), "scene.json:1:1", "unexpected end of input");
+    expectError(errorOfText("{\"camera\": {}"), "scene.json:1:14", "unexpected end of input");
+    expectError(errorOfText("{} {}"), "scene.json:1:4", "expected end of input");
+    expectError(errorOfText("{\"camera\": {} /* open"), "scene.json:1:22", "missing closing '*/'");
+}
+
+TEST(SceneSyntax, CountsCharactersNotBytes) {
+    // Two-byte letters: the comma stands in column 8.
+    expectError(errorOfText("{\"\u00e4\u00f6\u00fc\":,}"), "scene.json:1:8", "unexpected ','");
+}
+
+TEST(SceneSyntax, RefusesRepeatedKeysWithTheirPointer) {
+    expectError(errorOfText("{\"camera\": {}, \"camera\": {}}"), "scene.json: /camera", "repeated");
+    expectError(errorOfText("{\"camera\": {\"fov\": 40, \"fov\": 41}}"), "scene.json: /camera/fov",
+                "the key \"fov\" is repeated");
+    expectError(errorOfText("{\"shapes\": [1, {\"a\": [[]], \"b/c\": 1, \"b/c\": 1}]}"),
+                "scene.json: /shapes/1/b~1c", "repeated");
+}
+
+TEST(SceneSyntax, RefusesNumbersBeyondDoubles) {
+    expectError(errorOfText("{\"camera\": {\"fov\": 1e999}}"), "scene.json: /camera/fov",
+                "\"1e999\" is larger");
+    expectError(errorOfText("{\"camera\": {\"up\": [0, -1e999, 0]}}"), "scene.json: /camera/up/1",
+                "larger");
+}
+
+TEST(SceneSyntax, RefusesTextThatIsNotUtf8) {
+    expectError(errorOfText("{\"\xff\": 1}"), "scene.json:1:3", "UTF-8");
+}
+
+TEST(SceneSyntax, RefusesOtherRootsThanAnObject) {
+    expectError(errorOfText("[]"), "scene.json", "must be an object, not an array");
+}
+
+TEST(SceneSyntax, MessagesStayOnOneLine) {
+    const SceneError error = errorOfText("{\"camera\": {\"a\\nb\": 1}}");
+    expectError(error, "scene.json: /camera/a\\nb", "unknown key \"a\\nb\"");
+    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+}
+
+TEST(SceneSyntax, DeepNestingNeitherCrashesNorLasts) {
+    const size_t depth = 1'000'000;
+    expectError(errorOfText(std::string(depth, '[')), "scene.json: /0", "more than 100 deep");
+    std::string closed = "{\"camera\": " + std::string(depth, '[') + std::string(depth, ']') + "}";
+    expectError(errorOfText(closed), "scene.json: /camera", "more than 100 deep");
+    EXPECT_LT(secondsFor(closed), 1.0);
+}
+
+TEST(SceneSyntax, NestingOfAHundredIsStillRead) {
+    const std::string text = "{\"camera\": " + std::string(99, '[') + std::string(99, ']') + "}";
+    expectError(errorOfText(text), "scene.json: /camera", "must be an object");
+}
+
+TEST(SceneSyntax, LongNamesAreShortenedAndCostNothing) {
+    const std::string name(1'000'000, 'k');
+    for (const std::string& text :
+         {"{\"" + name + "\": 1}", "{\"camera\": {\"type\": \"" + name + "\"}}", "\"" + name,
+          "{\"camera\": {\"fov\": " + std::string(1'000'000, '9') + "}}"}) {
+        EXPECT_LT(secondsFor(text), 1.0);
+        EXPECT_LT(std::string(errorOfText(text).what()).size(), 500u);
+    }
+}
+
+TEST(SceneSyntax, ManyRepetitionsOfAKeyStopAtTheFirst) {
+    std::string text = "{";
+    for (int i = 0; i < 100'000; ++i) {
+        text += "\"a\": 1, ";
+    }
+    EXPECT_LT(secondsFor(text + "\"a\": 1}"), 1.0);
+}
+
+} // namespace
+} // namespace calotype::test
