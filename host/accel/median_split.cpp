@@ -1,6 +1,7 @@
 #include "accel/median_split.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "base/check.h"
@@ -34,13 +35,11 @@ private:
     void buildNode(uint32_t index, uint32_t begin, uint32_t end, uint32_t depth) {
         CALOTYPE_CHECK_LE(depth, gpu::kMaxBvhDepth);
         Bounds3f bounds;
-        Bounds3f centers;
         bool oneKind = true;
         const PrimitiveKind firstKind = primitives_[bvh_.order[begin]].kind;
         for (uint32_t i = begin; i < end; ++i) {
             const Primitive& primitive = primitives_[bvh_.order[i]];
             bounds.extend(primitive.bounds);
-            centers.extend(doubledCenter(primitive));
             oneKind = oneKind && primitive.kind == firstKind;
         }
         bvh_.nodes[index].bounds = bounds;
@@ -52,8 +51,7 @@ private:
             reportLeaf(end);
             return;
         }
-        const uint32_t middle =
-            small ? splitByKind(begin, end) : splitByMedian(begin, end, centers);
+        const uint32_t middle = small ? splitByKind(begin, end) : splitByMedian(begin, end);
         const auto left = static_cast<uint32_t>(bvh_.nodes.size());
         bvh_.nodes[index].first = left;
         bvh_.nodes.resize(left + 2);
@@ -69,11 +67,23 @@ private:
         return static_cast<uint32_t>(middle - order);
     }
 
-    uint32_t splitByMedian(uint32_t begin, uint32_t end, const Bounds3f& centers) {
-        const glm::vec3 extent = centers.extent();
-        const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0
-                         : extent.y >= extent.z                       ? 1
-                                                                      : 2;
+    /// The axis along which the two halves get the smallest boxes: the surface area heuristic, for
+    /// halves of equal count.
+    uint32_t splitByMedian(uint32_t begin, uint32_t end) {
+        int best = 0;
+        double leastArea = std::numeric_limits<double>::infinity();
+        for (int axis = 0; axis < 3; ++axis) {
+            const uint32_t middle = partitionByMedian(begin, end, axis);
+            const double area = halfArea(boundsOf(begin, middle)) + halfArea(boundsOf(middle, end));
+            if (area < leastArea) {
+                leastArea = area;
+                best = axis;
+            }
+        }
+        return partitionByMedian(begin, end, best);
+    }
+
+    uint32_t partitionByMedian(uint32_t begin, uint32_t end, int axis) {
         const uint32_t middle = begin + (end - begin) / 2;
         const Iterator order = bvh_.order.begin();
         std::nth_element(order + begin, order + middle, order + end, [&](uint32_t a, uint32_t b) {
@@ -82,6 +92,13 @@ private:
             return centerA < centerB || (centerA == centerB && a < b);
         });
         return middle;
+    }
+
+    Bounds3f boundsOf(uint32_t begin, uint32_t end) const {
+        Bounds3f bounds;
+        for (uint32_t i = begin; i < end; ++i)
+            bounds.extend(primitives_[bvh_.order[i]].bounds);
+        return bounds;
     }
 
     static glm::vec3 doubledCenter(const Primitive& primitive) {

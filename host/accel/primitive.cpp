@@ -1,7 +1,11 @@
 #include "accel/primitive.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <glm/geometric.hpp>
 
+#include "base/error.h"
 #include "math/outward_rounding.h"
 
 namespace calotype {
@@ -69,6 +73,18 @@ Bounds3f packedQuadricBounds(const Shape& shape, const glm::dvec3& origin) {
     return roundOutward(bounds);
 }
 
+/// Beyond this, squares of lengths come near the end of float's range.
+constexpr float kLargestCoordinate = 1e15f;
+
+void requirePackable(const Bounds3f& bounds, const Shape& shape) {
+    const glm::vec3 magnitude = glm::max(glm::abs(bounds.lower), glm::abs(bounds.upper));
+    const float largest = std::max({magnitude.x, magnitude.y, magnitude.z});
+    if (!(largest <= kLargestCoordinate))
+        throw SceneError(shape.place,
+                         "reaches more than 1e15 metres from the camera or the scene's "
+                         "near side; scale the scene down");
+}
+
 } // namespace
 
 Bounds3d sceneBounds(const Scene& scene) {
@@ -100,6 +116,7 @@ std::vector<Primitive> collectPrimitives(const Scene& scene, const glm::dvec3& o
             Bounds3f bounds;
             for (const uint32_t index : mesh->triangles[t].position)
                 bounds.extend(packPosition(mesh->positions[index], origin));
+            requirePackable(bounds, shape);
             primitives.push_back({bounds, shapeIndex, t, PrimitiveKind::Triangle});
         }
     }

@@ -32,7 +32,8 @@ Bounds3d sceneBounds(const Scene& scene);
 /// neither a scene far from the world's origin nor a camera far from the scene costs precision.
 glm::dvec3 packingOrigin(const Scene& scene);
 
-/// All primitives of the scene in its order.
+/// All primitives of the scene in its order. Throws SceneError, naming the shape, where coordinates
+/// are too large for the device's arithmetic.
 std::vector<Primitive> collectPrimitives(const Scene& scene, const glm::dvec3& origin);
 
 } // namespace calotype
