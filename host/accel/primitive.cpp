@@ -107,8 +107,9 @@ std::vector<Primitive> collectPrimitives(const Scene& scene, const glm::dvec3& o
         const Shape& shape = scene.shapes[shapeIndex];
         const Mesh* mesh = std::get_if<Mesh>(&shape.geometry);
         if (!mesh) {
-            primitives.push_back(
-                {packedQuadricBounds(shape, origin), shapeIndex, 0, PrimitiveKind::Quadric});
+            const Bounds3f bounds = packedQuadricBounds(shape, origin);
+            requirePackable(bounds, shape);
+            primitives.push_back({bounds, shapeIndex, 0, PrimitiveKind::Quadric});
             continue;
         }
         primitives.reserve(primitives.size() + mesh->triangles.size());
