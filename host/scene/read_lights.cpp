@@ -68,7 +68,7 @@ Shape readLight(const JsonValue& value, size_t index, LoadContext& context) {
     material.visibleToCamera = object.boolean("visible", true);
 
     Shape shape;
-    shape.place = value.pointer();
+    shape.place = value.where();
     shape.material = context.addMaterial(material);
     double sideArea = 0.0;
     if (type == kDisk) {

@@ -39,7 +39,7 @@ Shape readShape(const JsonValue& value, LoadContext& context) {
     const auto type = static_cast<Type>(choiceAt(value, "type", kTypes));
     const JsonObject object(value, keysOf(type));
     Shape shape;
-    shape.place = value.pointer();
+    shape.place = value.where();
     if (type == kMesh) {
         shape.geometry = readMesh(object, context);
         return shape;

@@ -90,7 +90,7 @@ struct Mesh {
 struct Shape {
     std::variant<Sphere, Cylinder, Cone, Disk, Mesh> geometry;
     uint32_t material = 0; ///< index into Scene::materials; meshes carry theirs per triangle
-    std::string place;     ///< JSON pointer, for messages
+    std::string place;     ///< file and JSON pointer, for messages
 };
 
 /// A light of the file is a shape with a black, emitting material: it is seen, reflected, sampled

@@ -1,6 +1,8 @@
 // Against a picture of another renderer, where the test data is at hand.
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <string>
 
 #include "image/exr.h"
 #include "image/metrics.h"
@@ -20,7 +22,8 @@ TEST_F(ReferenceTest, BitterliCornellBox) {
         "../shared/data/bitterli-cornell-box/TungstenRender.exr";
     const Scene scene = projectScene("tests/image/scenes/bitterli-cornell-box.json");
     RenderWish wish;
-    wish.samplesPerPixel = 64;
+    const char* samples = std::getenv("CALOTYPE_REFERENCE_SPP");
+    wish.samplesPerPixel = samples ? std::stoul(samples) : 64;
     if (!std::filesystem::exists(reference)) { // then at least a dim and noisy picture of it
         wish.samplesPerPixel = 4;
         const glm::dvec3 mean = imageMean(renderScene(scene, wish).image);

@@ -1,0 +1,1 @@
+"""The atelier's meshes. Right-handed, +Y up, metres; angles in radians."""

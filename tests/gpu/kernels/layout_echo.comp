@@ -1,0 +1,133 @@
+#version 460
+// Every field of every shared struct, in the order of its declaration: the second element of each
+// array of the scene, then what a dispatch is told.
+#extension GL_GOOGLE_include_directive : require
+
+#include "gpu/kernels/test_structs.h"
+#include "scene/buffers.glsl"
+#include "shared/render_structs.h"
+
+layout(local_size_x = 1) in;
+layout(push_constant) uniform Parameters { RenderParameters parameters; };
+layout(set = 0, binding = kBindingCamera) uniform CameraBlock { Camera camera; };
+layout(set = 0, binding = kBindingCounters) readonly buffer CountersBlock {
+    RenderCounters counters;
+};
+layout(set = 0, binding = kBindingTestOutputs) writeonly buffer Outputs { uint words[]; };
+
+uint count = 0u;
+
+void put(uint x) { words[count++] = x; }
+void put(float x) { put(floatBitsToUint(x)); }
+void put(uvec2 v) {
+    put(v.x);
+    put(v.y);
+}
+void put(vec3 v) {
+    put(v.x);
+    put(v.y);
+    put(v.z);
+}
+
+void putTriangles() {
+    Triangle t = loadTriangle(1u);
+    put(t.v0);
+    put(t.material);
+    put(t.v1);
+    put(t.light);
+    put(t.v2);
+    put(t.id);
+    TriangleNormals n = loadTriangleNormals(1u);
+    put(n.n0);
+    put(n.pad0);
+    put(n.n1);
+    put(n.pad1);
+    put(n.n2);
+    put(n.pad2);
+}
+
+void putQuadric() {
+    Quadric q = loadQuadric(1u);
+    put(q.center);
+    put(q.radius);
+    put(q.axisX);
+    put(q.extent);
+    put(q.axisY);
+    put(q.kind);
+    put(q.axisZ);
+    put(q.slope);
+    put(q.material);
+    put(q.light);
+    put(q.id);
+    put(q.pad0);
+}
+
+void putLight() {
+    Light l = loadLight(1u);
+    put(l.radiance);
+    put(l.primitive);
+    put(l.area);
+    put(l.selectionChance);
+    put(l.aliasThreshold);
+    put(l.alias);
+    put(l.flags);
+    put(l.pad0);
+    put(l.pad1);
+    put(l.pad2);
+}
+
+void putCamera() {
+    put(camera.position);
+    put(camera.pad0);
+    put(camera.right);
+    put(camera.pad1);
+    put(camera.up);
+    put(camera.pad2);
+    put(camera.forward);
+    put(camera.pad3);
+}
+
+void putParameters() {
+    RenderParameters p = parameters;
+    put(p.imageSize);
+    put(p.cropOrigin);
+    put(p.cropSize);
+    put(p.firstTile);
+    put(p.tileCount);
+    put(p.tileStride);
+    put(p.firstSample);
+    put(p.sampleEnd);
+    put(p.seed);
+    put(p.maxBounces);
+    put(p.lightCount);
+    put(p.pad0);
+    put(p.pad1);
+}
+
+void putCounters() {
+    put(counters.rays);
+    put(counters.paths);
+    put(counters.nonFiniteSamples);
+    put(counters.cutPaths);
+    put(counters.unfinishedPixels);
+    put(counters.pad0);
+    put(counters.pad1);
+    put(counters.pad2);
+}
+
+void main() {
+    BvhNode node = loadNode(1u);
+    put(node.lower);
+    put(node.first);
+    put(node.upper);
+    put(node.count);
+    putTriangles();
+    putQuadric();
+    Material material = loadMaterial(1u);
+    put(material.color);
+    put(material.pad0);
+    putLight();
+    putCamera();
+    putParameters();
+    putCounters();
+}

@@ -1,0 +1,18 @@
+// What kernels/random.comp gives back for four words w.
+#ifndef CALOTYPE_TEST_RANDOM_STRUCTS_H
+#define CALOTYPE_TEST_RANDOM_STRUCTS_H
+
+#include "shared/types.h"
+
+CALOTYPE_BEGIN_SHARED
+
+struct TestRandom {
+    uvec4 hash;       ///< pcg4d(w)
+    vec4 units;       ///< unitFloats(w)
+    vec4 uniforms;    ///< uniformRandom of pixel w.xy, sample w.z, dimension w.w, seed 7
+    uvec4 dimensions; ///< of bounce w.x: light, bsdf; then the camera's
+};
+
+CALOTYPE_END_SHARED
+
+#endif

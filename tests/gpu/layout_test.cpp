@@ -1,0 +1,77 @@
+#include <cstring>
+
+#include "gpu/kernels/test_structs.h"
+#include "kernels/layout_echo.spv.h"
+#include "render/scene_buffers.h"
+#include "shared/bindings.h"
+#include "shared/render_structs.h"
+#include "support/gpu_test.h"
+
+// What the host writes is what the kernels read, field by field and bit for bit.
+
+namespace calotype::test {
+namespace {
+
+/// Fills structs with words that are all different (and normal floats, which no device flushes to
+/// zero), and keeps them in order.
+class DistinctWords {
+public:
+    template <typename T>
+    T make() {
+        static_assert(sizeof(T) % sizeof(uint32_t) == 0);
+        std::vector<uint32_t> words;
+        for (size_t i = 0; i < sizeof(T) / sizeof(uint32_t); ++i)
+            words.push_back(0x40000000u + 0x00010305u * static_cast<uint32_t>(++made_));
+        T result;
+        std::memcpy(&result, words.data(), sizeof(T));
+        words_.insert(words_.end(), words.begin(), words.end());
+        return result;
+    }
+
+    const std::vector<uint32_t>& words() const { return words_; }
+
+private:
+    size_t made_ = 0;
+    std::vector<uint32_t> words_;
+};
+
+class Layout : public GpuTest {};
+
+TEST_F(Layout, IsTheSameInHostAndKernel) {
+    DistinctWords distinct;
+    GpuScene scene;
+    scene.nodes = {{}, distinct.make<gpu::BvhNode>()};
+    scene.triangles = {{}, distinct.make<gpu::Triangle>()};
+    scene.triangleNormals = {{}, distinct.make<gpu::TriangleNormals>()};
+    scene.quadrics = {{}, distinct.make<gpu::Quadric>()};
+    scene.materials = {{}, distinct.make<gpu::Material>()};
+    scene.lights = {{}, distinct.make<gpu::Light>()};
+    const auto camera = distinct.make<gpu::Camera>();
+    const auto parameters = distinct.make<gpu::RenderParameters>();
+    const auto counters = distinct.make<gpu::RenderCounters>();
+
+    const Device& device = testDevice();
+    const SceneBuffers buffers(device, scene);
+    const Buffer cameraBuffer = uploadBuffer(device, std::as_bytes(std::span(&camera, 1)),
+                                             vk::BufferUsageFlagBits::eUniformBuffer, "camera");
+    const Buffer countersBuffer = uploadBuffer(device, std::as_bytes(std::span(&counters, 1)),
+                                               vk::BufferUsageFlagBits::eStorageBuffer, "counters");
+    const Buffer echo(device, distinct.words().size() * sizeof(uint32_t),
+                      vk::BufferUsageFlagBits::eStorageBuffer, Buffer::Memory::Host, "echo");
+    std::vector<Binding> bindings = buffers.bindings();
+    bindings.push_back(Binding::uniformBuffer(gpu::kBindingCamera, cameraBuffer));
+    bindings.push_back(Binding::storageBuffer(gpu::kBindingCounters, countersBuffer));
+    bindings.push_back(Binding::storageBuffer(gpu::kBindingTestOutputs, echo));
+    const ComputePipeline pipeline(device, {.name = "layout echo",
+                                            .spirv = kLayoutEchoSpirv,
+                                            .bindings = bindings,
+                                            .constants = {},
+                                            .pushConstantBytes = sizeof(parameters)});
+    pipeline.run(device, 1, std::as_bytes(std::span(&parameters, 1)));
+
+    const std::span<uint32_t> words = echo.mapped<uint32_t>();
+    EXPECT_EQ(std::vector<uint32_t>(words.begin(), words.end()), distinct.words());
+}
+
+} // namespace
+} // namespace calotype::test

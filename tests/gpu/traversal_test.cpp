@@ -1,0 +1,205 @@
+#include <glm/geometric.hpp>
+
+#include "gpu/primitive_scene.h"
+#include "support/gpu_test.h"
+#include "support/oracle_quadric.h"
+#include "support/oracle_triangle.h"
+#include "support/test_quadrics.h"
+#include "support/test_scenes.h"
+
+// Whole scenes, packed as the program packs them, against every primitive tried in turn. An answer
+// is right if each primitive's surface may be off by 16 roundings of its distance (see
+// quadric_hit_test.cpp and triangle_hit_test.cpp): the hit is one of its primitive's, and no other
+// primitive must have been met before it.
+
+namespace calotype::test {
+namespace {
+
+constexpr Real kAllowedRoundoffs = 16.0L;
+constexpr float kFar = 1e19f;
+
+glm::dmat3 someRotation(RandomNumbers& random) {
+    return random.coin() ? glm::dmat3(1.0) : randomRotation(random);
+}
+
+Shape randomShape(const glm::dvec3& center, double size, RandomNumbers& random) {
+    const RigidTransform frame{someRotation(random), center};
+    switch (random.below(5)) {
+    case 0:
+        return shapeOf(Sphere{frame, size});
+    case 1:
+        return shapeOf(Cylinder{frame, size * random.between(0.1, 1.0), size});
+    case 2:
+        return shapeOf(Cone{frame, random.sign() * size, random.powerOfTen(-1.0, 0.5)});
+    case 3:
+        return shapeOf(Disk{frame, size});
+    default:
+        return shapeOf(singleTriangle(center + size * random.inBall(),
+                                      center + size * random.inBall(),
+                                      center + size * random.inBall()));
+    }
+}
+
+enum class Arrangement { Scattered, Clustered, Coincident };
+
+struct Crowd {
+    std::string name;
+    uint32_t count;
+    Arrangement arrangement;
+};
+
+std::vector<Shape> makeCrowd(const Crowd& crowd, RandomNumbers& random) {
+    std::vector<Shape> shapes;
+    const double spacing = 1.0 / std::cbrt(crowd.count);
+    for (uint32_t i = 0; i < crowd.count; ++i) {
+        if (crowd.arrangement == Arrangement::Coincident && i % 3 != 0) {
+            shapes.push_back(shapes.back());
+        } else if (crowd.arrangement == Arrangement::Clustered) {
+            const double scale = std::pow(10.0, double(i % 5) - 3.0);
+            const glm::dvec3 place = scale * glm::dvec3(1.0, double(i % 3), -1.0);
+            shapes.push_back(randomShape(place + scale * random.inBall(), scale * spacing, random));
+        } else {
+            shapes.push_back(randomShape(random.inBall(), spacing, random));
+        }
+    }
+    return shapes;
+}
+
+AllowedAnswers triangleAnswers(const gpu::Triangle& triangle, const Line& line) {
+    const TriangleCrossing crossing = crossTriangle(triangle, line);
+    const Real margin = kAllowedRoundoffs * kRoundoff * crossing.reach;
+    const Real tError = 8.0L * margin * crossing.magnification / glm::length(line.direction);
+    AllowedAnswers allowed;
+    allowed.miss = crossing.insideBy < margin || crossing.t < tError;
+    if (crossing.insideBy > -margin)
+        allowed.entry = {crossing.t - tError, crossing.t + tError};
+    return allowed;
+}
+
+class BruteForce {
+public:
+    explicit BruteForce(const GpuScene& scene) : scene_(scene) {}
+
+    /// The sentence that says what is wrong with an answer; empty if nothing is.
+    std::string judge(const gpu::TestRay& ray, const PrimitiveScene::Traversed& hit) const {
+        const Line line = lineOf(ray);
+        const Real reached = hit.primitive == gpu::kNone ? Real(ray.tMax) : Real(hit.t);
+        if (hit.primitive != gpu::kNone && !answersOf(hit.primitive, line).contains(hit.t))
+            return "the primitive is not there";
+        for (const uint32_t primitive : names()) {
+            const AllowedAnswers allowed = answersOf(primitive, line);
+            if (!allowed.miss && std::max(allowed.entry.leave, allowed.exit.leave) < reached)
+                return "primitive " + std::to_string(primitive) + " was missed";
+        }
+        return {};
+    }
+
+private:
+    std::vector<uint32_t> names() const {
+        std::vector<uint32_t> result;
+        for (uint32_t i = 0; i < scene_.triangles.size(); ++i)
+            result.push_back(i);
+        for (uint32_t i = 0; i < scene_.quadrics.size(); ++i)
+            result.push_back(i | gpu::kQuadricBit);
+        return result;
+    }
+
+    AllowedAnswers answersOf(uint32_t primitive, const Line& line) const {
+        if ((primitive & gpu::kQuadricBit) == 0)
+            return triangleAnswers(scene_.triangles[primitive], line);
+        const gpu::Quadric& quadric = scene_.quadrics[primitive & ~gpu::kQuadricBit];
+        const Real scale = roundingScale(quadric, line, firstHit(quadric, line));
+        return allowedAnswers(quadric, line, kAllowedRoundoffs * kRoundoff * scale);
+    }
+
+    const GpuScene& scene_;
+};
+
+/// Rays from in and around the unit ball; every third one along an axis.
+std::vector<gpu::TestRay> makeRays(uint32_t count, RandomNumbers& random) {
+    std::vector<gpu::TestRay> rays;
+    for (uint32_t i = 0; i < count; ++i) {
+        glm::dvec3 direction = random.direction();
+        if (i % 3 == 0) {
+            direction = glm::dvec3(random.coin() ? 0.0 : -0.0);
+            direction[static_cast<int>(random.below(3))] =
+                random.sign() * random.powerOfTen(-2.0, 2.0);
+        }
+        rays.push_back(testRay(2.0 * random.inBall(), direction, gpu::kNone));
+    }
+    return rays;
+}
+
+class Traversal : public GpuTest, public testing::WithParamInterface<Crowd> {};
+
+TEST_P(Traversal, FindsWhatBruteForceFinds) {
+    constexpr uint32_t kTests = 3'000'000; // of primitives against rays
+    RandomNumbers random(41);
+    const Scene scene = sceneOf(makeCrowd(GetParam(), random));
+    const PackedScene built = packAsProgram(scene);
+    ASSERT_EQ(findBvhDefect(built.bvh, built.primitives), std::nullopt);
+    const PrimitiveScene onDevice(built.packed);
+    const BruteForce oracle(built.packed);
+
+    std::vector<gpu::TestRay> rays = makeRays(std::min(20'000u, kTests / GetParam().count), random);
+    const auto closest = onDevice.traverse(rays);
+    uint32_t hits = 0;
+    for (size_t i = 0; i < rays.size(); ++i) {
+        hits += closest[i].primitive != gpu::kNone ? 1 : 0;
+        ASSERT_EQ(oracle.judge(rays[i], closest[i]), "") << "ray " << i;
+    }
+    RecordProperty("hits", std::to_string(hits));
+
+    // Any hit: up to just before, or just beyond, what was found.
+    for (size_t i = 0; i < rays.size(); ++i) {
+        rays[i].anyHit = 1;
+        rays[i].tMax =
+            closest[i].primitive == gpu::kNone ? kFar : closest[i].t * (i % 2 ? 1.001f : 1.0f);
+    }
+    const auto any = onDevice.traverse(rays);
+    for (size_t i = 0; i < rays.size(); ++i) {
+        const bool reaches = closest[i].primitive != gpu::kNone && i % 2 == 1;
+        ASSERT_EQ(any[i].primitive != gpu::kNone, reaches) << "ray " << i;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Traversal,
+                         testing::Values(Crowd{"One", 1, Arrangement::Scattered},
+                                         Crowd{"Two", 2, Arrangement::Scattered},
+                                         Crowd{"Five", 5, Arrangement::Scattered},
+                                         Crowd{"Hundred", 100, Arrangement::Scattered},
+                                         Crowd{"TwoThousand", 2000, Arrangement::Scattered},
+                                         Crowd{"Clusters", 500, Arrangement::Clustered},
+                                         Crowd{"Coincident", 300, Arrangement::Coincident}),
+                         [](const auto& instance) { return instance.param.name; });
+
+class TraversalCost : public GpuTest {};
+
+TEST_F(TraversalCost, OfAxisAlignedRaysStaysLow) {
+    // 98,304 triangles in six flat sides, all boxes flat: rays with exact zeros in their direction,
+    // at the edges of boxes as well as between them. The tree is 15 deep.
+    const PrimitiveScene scene(packAsProgram(sceneOf({shapeOf(cubeMesh(128))})).packed);
+    RandomNumbers random(42);
+    std::vector<gpu::TestRay> rays;
+    for (uint32_t i = 0; i < 20'000; ++i) {
+        glm::dvec3 origin;
+        for (int axis = 0; axis < 3; ++axis)
+            origin[axis] =
+                random.coin() ? (random.below(127) - 63.0) / 64.0 : random.between(-0.99, 0.99);
+        glm::dvec3 direction(random.coin() ? 0.0 : -0.0);
+        direction[static_cast<int>(random.below(3))] = random.sign();
+        // One ray alone in its subgroup, whose iterations are counted together.
+        for (uint32_t copy = 0; copy < 8; ++copy)
+            rays.push_back(testRay(origin, direction, gpu::kNone));
+    }
+    uint32_t most = 0;
+    for (const auto& hit : scene.traverse(rays)) {
+        ASSERT_NE(hit.primitive, gpu::kNone);
+        most = std::max(most, hit.iterations);
+    }
+    RecordProperty("iterations", std::to_string(most));
+    EXPECT_LT(most, 200u);
+}
+
+} // namespace
+} // namespace calotype::test

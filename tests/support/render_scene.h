@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+
+#include "image/image.h"
+#include "pack/scene_features.h"
+#include "render/render_session.h"
+#include "scene/scene.h"
+
+namespace calotype::test {
+
+struct RenderedScene {
+    Image image;
+    RenderTotals totals;
+};
+
+/// How a test wants a scene rendered; what is absent is taken from the scene.
+struct RenderWish {
+    std::optional<uint32_t> width;
+    std::optional<uint32_t> height;
+    std::optional<uint32_t> samplesPerPixel;
+    std::optional<uint32_t> maxBounces;
+    std::optional<uint32_t> seed;
+    std::optional<Crop> crop;
+    std::optional<SceneFeatures> features; ///< else those that the scene needs
+    uint32_t passSamples = 0;
+    RenderObserver observer;
+};
+
+/// Renders on the test device, through every stage that the program goes through.
+RenderedScene renderScene(const Scene& scene, const RenderWish& wish = {});
+
+/// A scene of the project, by its path from the project's root.
+Scene projectScene(const std::string& path);
+
+} // namespace calotype::test
