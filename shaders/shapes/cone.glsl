@@ -7,9 +7,11 @@
 //   a < 0  steeper: outside between the roots, and inside our nappe beyond the root that lies in
 //          the direction in which the line climbs towards the base;
 //   a = 0  parallel to a line of the surface: the case a < 0 with one root at infinity.
-// The mirror nappe never counts: in the first case the slab 0 <= y / h <= 1 rejects it, in the
-// second the half line chosen is not in it. The slab and the surface are cut by intersecting
-// intervals, so no ray passes between side and base at the rim.
+// All three coefficients cancel for far origins, so from beyond twice the cone's size the quadratic
+// is set up at the line's point nearest to the apex, which no ray starts from. The mirror nappe
+// never counts: in the first case the slab 0 <= y / h <= 1 rejects it, in the second the half line
+// chosen is not in it. The slab and the surface are cut by intersecting intervals, so no ray passes
+// between side and base at the rim.
 #ifndef CALOTYPE_SHAPES_CONE_GLSL
 #define CALOTYPE_SHAPES_CONE_GLSL
 
@@ -23,6 +25,9 @@ float intersectCone(LocalRay ray, float height, float slope) {
     vec3 o = vec3(ray.origin.x, ray.origin.y * towardBase, ray.origin.z);
     vec3 d = vec3(ray.direction.x, ray.direction.y * towardBase, ray.direction.z);
     float kk = slope * slope;
+    bool fromAfar = dot(o, o) > 4.0 * height * height * (1.0 + kk);
+    float shift = fromAfar ? -dot(o, d) / dot(d, d) : 0.0;
+    o += shift * d;
     vec3 moment = cross(o, d);
     float a = dot(d.xz, d.xz) - kk * d.y * d.y;
     float b = dot(o.xz, d.xz) - kk * o.y * d.y;
@@ -30,6 +35,7 @@ float intersectCone(LocalRay ray, float height, float slope) {
     float kyy = kk * o.y * o.y;
     float cError = GAMMA(6.0) * (oo + kyy) +
                    2.0 * (dot(abs(o.xz), ray.error.xz) + kk * abs(o.y) * ray.error.y);
+    cError = fromAfar ? 0.0 : cError;
     float discriminant = kk * dot(moment.xz, moment.xz) - moment.y * moment.y;
     a = a == 0.0 ? -1e-30 : a;
     float near, far;
@@ -39,7 +45,8 @@ float intersectCone(LocalRay ray, float height, float slope) {
     vec2 side = a > 0.0 ? vec2(first, second) : d.y > 0.0 ? vec2(second, kFar) : vec2(-kFar, first);
     float yError = ray.error.y + GAMMA(2.0) * abs(o.y);
     vec2 base = slabInterval(o.y, d.y, 0.0, abs(height), yError);
-    return hit ? firstCrossing(vec2(max(side.x, base.x), min(side.y, base.y))) : kFar;
+    vec2 interval = vec2(max(side.x, base.x), min(side.y, base.y)) + shift;
+    return hit ? firstCrossing(interval) : kFar;
 }
 
 /// True where p is nearer to the base than to the side.
@@ -51,12 +58,12 @@ bool isOnConeBase(vec3 p, float height, float slope) {
 vec3 projectOntoCone(vec3 p, float height, float slope) {
     if (isOnConeBase(p, height, slope))
         return vec3(p.x, height, p.z);
-    // Along the side's normal: with n = (1, -k) / sqrt(1 + k^2) in (radius, |y|).
+    // In (radius, |y|), onto the line radius = slope |y|; a point on the axis goes to the apex.
     float radius = length(p.xz);
-    float distance = (radius - slope * abs(p.y)) / (1.0 + slope * slope);
-    float y = abs(p.y) + slope * distance;
-    vec2 outward = radius > 0.0 ? p.xz / radius : vec2(0.0);
-    return vec3(outward * (slope * y), height < 0.0 ? -y : y).xzy;
+    float y = (abs(p.y) + slope * radius) / (1.0 + slope * slope);
+    vec2 side = radius > 0.0 ? p.xz * (slope * y / radius) : vec2(0.0);
+    y = radius > 0.0 ? y : 0.0;
+    return vec3(side.x, height < 0.0 ? -y : y, side.y);
 }
 
 /// Outward unit normal at a point near the surface. The apex's is the axis, away from the base.

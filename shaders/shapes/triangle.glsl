@@ -7,13 +7,13 @@
 // differ, so the signs are opposite or both zero, and zero counts as inside for both. No ray passes
 // between them. There is no threshold on the determinant: small triangles are not lost.
 //
-// Error of t. With u the unit roundoff, M = max |x'| + max |z|, N = max |y'| + max |z| and
-// barycentric weights b_i = e_i / sum e_i, all of one sign for a hit:
-//   - corners: a difference and the scaling by 1 / dz, |dz_i| <= gamma_5 |z_i|, averaged by the
-//     weights, hence gamma_8 max |z| with the final sum;
-//   - edge functions: |x'| and |y'| carry gamma_6 M and gamma_6 N, so
-//     |de| <= 2 (gamma_6 + gamma_6 + gamma_2) M N, and a weight's error moves t by at most the
-//     range of z: 3 |de| (max z - min z) / |sum e|.
+// Error of t. With u the unit roundoff, X, Y and Z the largest |x'|, |y'| and |z| of the corners,
+// and barycentric weights b_i = e_i / sum e_i, all of one sign for a hit:
+//   - z: a difference and the scaling by 1 / dz, averaged by the weights, and the final sum:
+//     gamma_8 Z / |dz|;
+//   - the edge functions: x' is off by dX = gamma_6 (X + Z) at most, since |shear| <= 1, and y' by
+//     dY alike; so |de| <= 2 (dX Y + dY X + dX dY + gamma_2 X Y). A weight's error moves t by the
+//     range of z at most: 3 |de| (max z - min z) / |sum e|.
 // A hit counts only beyond that bound, so a ray does not meet the triangle that it leaves.
 #ifndef CALOTYPE_SHAPES_TRIANGLE_GLSL
 #define CALOTYPE_SHAPES_TRIANGLE_GLSL
@@ -66,10 +66,12 @@ TriangleHit intersectTriangle(ShearedRay ray, vec3 v0, vec3 v1, vec3 v2) {
     float t = dot(e, z) * inverse;
 
     float zMax = greatest(abs(vec3(a.z, b.z, c.z)));
-    vec2 pMax = greater(greater(abs(pa), abs(pb)), abs(pc)) + zMax;
+    vec2 pMax = greater(greater(abs(pa), abs(pb)), abs(pc));
+    vec2 pError = GAMMA(6.0) * (pMax + zMax);
+    float eError =
+        2.0 * ((pMax.x + pError.x) * pError.y + (GAMMA(2.0) * pMax.x + pError.x) * pMax.y);
     float zRange = greatest(z) - least(z);
-    float tError = GAMMA(8.0) * zMax * abs(ray.shear.z) +
-                   3.0 * GAMMA(28.0) * pMax.x * pMax.y * zRange * abs(inverse);
+    float tError = GAMMA(8.0) * zMax * abs(ray.shear.z) + 3.0 * eError * zRange * abs(inverse);
     TriangleHit hit;
     hit.t = inside && t > tError ? t : kFar;
     hit.barycentrics = vec2(e1, e2) * inverse;

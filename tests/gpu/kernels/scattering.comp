@@ -18,8 +18,7 @@ void main() {
     Bsdf bsdf = makeBsdf(material, event.ng, event.ns, event.wo);
     BsdfSample scattered = sampleBsdf(bsdf, vec2(event.u1, event.u2));
     Bsdf reversed = makeBsdf(material, event.ng, event.ns, scattered.wi);
-    results[i] = TestScattered(scattered.wi, scattered.pdf, scattered.weight,
-                               bsdfPdf(bsdf, scattered.wi),
-                               vec4(evaluateBsdf(bsdf, scattered.wi), 0.0),
-                               vec4(evaluateBsdf(reversed, event.wo), 0.0));
+    results[i] = TestScattered(
+        scattered.wi, scattered.pdf, scattered.weight, bsdfPdf(bsdf, scattered.wi),
+        vec4(evaluateBsdf(bsdf, scattered.wi), 0.0), vec4(evaluateBsdf(reversed, event.wo), 0.0));
 }
