@@ -16,8 +16,8 @@ namespace calotype {
 struct Bvh {
     struct Node {
         Bounds3f bounds;
-        uint32_t first =
-            0; ///< leaf: index into `order`; inner node: its left child, the right is next
+        /// Leaf: index into `order`. Inner node: its left child; the right one is next to it.
+        uint32_t first = 0;
         uint32_t count = 0; ///< primitives in a leaf; 0 for an inner node
 
         bool isLeaf() const { return count > 0; }

@@ -73,15 +73,15 @@ Bounds3f packedQuadricBounds(const Shape& shape, const glm::dvec3& origin) {
     return roundOutward(bounds);
 }
 
-/// Beyond this, squares of lengths come near the end of float's range.
-constexpr float kLargestCoordinate = 1e15f;
+/// The kernels form cubes of lengths, which beyond this come near the end of float's range.
+constexpr float kLargestCoordinate = 1e12f;
 
 void requirePackable(const Bounds3f& bounds, const Shape& shape) {
     const glm::vec3 magnitude = glm::max(glm::abs(bounds.lower), glm::abs(bounds.upper));
     const float largest = std::max({magnitude.x, magnitude.y, magnitude.z});
     if (!(largest <= kLargestCoordinate))
         throw SceneError(shape.place,
-                         "reaches more than 1e15 metres from the camera or the scene's "
+                         "reaches more than 1e12 metres from the camera or the scene's "
                          "near side; scale the scene down");
 }
 
@@ -96,9 +96,13 @@ Bounds3d sceneBounds(const Scene& scene) {
 
 glm::dvec3 packingOrigin(const Scene& scene) {
     const Bounds3d bounds = sceneBounds(scene);
+    const glm::dvec3 camera = scene.camera.position;
     if (bounds.isEmpty())
-        return scene.camera.position;
-    return glm::clamp(scene.camera.position, bounds.lower, bounds.upper);
+        return camera;
+    const glm::dvec3 origin = glm::clamp(camera, bounds.lower, bounds.upper);
+    if (glm::distance(camera, origin) > kLargestCoordinate)
+        throw SceneError("the camera", "is more than 1e12 metres from the scene; bring it closer");
+    return origin;
 }
 
 std::vector<Primitive> collectPrimitives(const Scene& scene, const glm::dvec3& origin) {

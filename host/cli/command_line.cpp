@@ -76,7 +76,7 @@ CLI::Option* addParsed(CLI::App& command, const std::string& name, Target& targe
         ->type_name(type);
 }
 
-void addRenderCommand(CLI::App& app, RenderOptions& options) {
+CLI::App& addRenderCommand(CLI::App& app, RenderOptions& options) {
     CLI::App& command = *app.add_subcommand("render", "Render a scene to pictures");
     addSceneOptions(command, options.scene);
     command
@@ -87,7 +87,7 @@ void addRenderCommand(CLI::App& app, RenderOptions& options) {
         ->expected(1)
         ->take_all();
     command.add_option("--spp", options.samplesPerPixel, "Samples per pixel")
-        ->check(CLI::Range(1u, 1u << 30))
+        ->check(CLI::Range(1u, RenderDefaults::kMostSamplesPerPixel))
         ->type_name("N");
     addParsed(command, "--size", options.size, parseSize, "Size of the picture", "WxH");
     addParsed(command, "--crop", options.crop, parseCrop, "Render only this part", "X,Y,W,H");
@@ -95,7 +95,7 @@ void addRenderCommand(CLI::App& app, RenderOptions& options) {
     command
         .add_option("--max-bounces", options.maxBounces,
                     "Scattering events along a path, at most; 0 shows emitters only")
-        ->check(CLI::Range(0u, 1u << 20))
+        ->check(CLI::Range(0u, RenderDefaults::kMostBounces))
         ->type_name("N");
     addParsed(command, "--exposure", options.display.exposureStops, parseExposure,
               "Brighten PNGs by this many stops (factors of two)", "STOPS");
@@ -111,6 +111,7 @@ void addRenderCommand(CLI::App& app, RenderOptions& options) {
     command.add_flag("-q,--quiet", options.quiet, "No progress, only warnings and errors")
         ->multi_option_policy(CLI::MultiOptionPolicy::Throw);
     addDeviceOptions(command, options.device);
+    return command;
 }
 
 int parseAndRun(int argc, char** argv) {
@@ -123,7 +124,7 @@ int parseAndRun(int argc, char** argv) {
     RenderOptions renderOptions;
     InfoOptions infoOptions;
     DeviceOptions devicesOptions;
-    addRenderCommand(app, renderOptions);
+    CLI::App& render = addRenderCommand(app, renderOptions);
     CLI::App& info =
         *app.add_subcommand("info", "Print what a scene holds and what it takes on the device");
     addSceneOptions(info, infoOptions.scene);
@@ -139,11 +140,12 @@ int parseAndRun(int argc, char** argv) {
     }
     if (app.get_subcommands().empty())
         throw UsageError("a command is required: render, info or devices (see calotype --help)");
-    if (info.parsed())
-        return infoCommand(infoOptions);
-    if (devices.parsed())
-        return devicesCommand(devicesOptions);
-    return renderCommand(renderOptions);
+    if (render.parsed())
+        return renderCommand(renderOptions);
+    const int code = info.parsed() ? infoCommand(infoOptions) : devicesCommand(devicesOptions);
+    if (std::fflush(stdout) != 0)
+        throw OutputError("cannot write to standard output");
+    return code;
 }
 
 } // namespace

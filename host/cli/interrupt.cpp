@@ -22,6 +22,9 @@ void catchInterrupts() {
     action.sa_flags = SA_RESTART;
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
+    // A file size limit or a closed pipe is then an error of the write, which is cleaned up after.
+    std::signal(SIGXFSZ, SIG_IGN);
+    std::signal(SIGPIPE, SIG_IGN);
 }
 
 bool isInterrupted() { return interrupted != 0; }

@@ -11,6 +11,7 @@ public:
 };
 
 /// From now on the first SIGINT or SIGTERM is only noted; a second one ends the program at once.
+/// Signals of failing writes are ignored, so that the writes fail instead.
 void catchInterrupts();
 
 /// True once a signal came.

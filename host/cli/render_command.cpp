@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <exception>
+#include <filesystem>
 #include <set>
 
 #include "accel/median_split.h"
@@ -41,23 +43,25 @@ void throwIfInterrupted() {
 
 /// Everything that could keep a result from being written is known before rendering starts.
 void checkOutputs(const RenderOptions& options) {
-    std::set<std::string> seen;
-    for (const std::string& path : options.outputs) {
-        if (!imageFormatOf(path))
-            throw UsageError("the output '" + path + "' has no known extension; use " +
-                             std::string(kImageExtensions));
-        if (!seen.insert(path).second)
-            throw UsageError("the output '" + path + "' is given twice");
+    std::set<std::filesystem::path> taken = {std::filesystem::weakly_canonical(options.scene.path)};
+    const auto claim = [&](const std::string& path) {
+        std::error_code ignored; // a path that cannot be resolved cannot be written either
+        if (!taken.insert(std::filesystem::weakly_canonical(path, ignored)).second)
+            throw UsageError("'" + path + "' is the scene, or is given twice");
         checkWritable(path);
-    }
-    if (!options.previewFile.empty()) {
-        if (!imageFormatOf(options.previewFile))
-            throw UsageError("the preview file '" + options.previewFile +
-                             "' has no known extension; use " + std::string(kImageExtensions));
-        checkWritable(options.previewFile);
-    }
+    };
+    const auto claimPicture = [&](const std::string& path) {
+        if (!imageFormatOf(path))
+            throw UsageError("the picture '" + path + "' has no known extension; use " +
+                             std::string(kImageExtensions));
+        claim(path);
+    };
+    for (const std::string& path : options.outputs)
+        claimPicture(path);
     if (!options.statsFile.empty())
-        checkWritable(options.statsFile);
+        claim(options.statsFile);
+    if (!options.previewFile.empty() && options.previewFile != options.outputs.front())
+        claimPicture(options.previewFile);
 }
 
 RenderSettings makeSettings(const RenderOptions& options, const Scene& scene) {
@@ -168,13 +172,26 @@ private:
 
     void writePreview(RenderSession& session) {
         totals_ = session.totals();
-        write(options_.previewFile.empty() ? options_.outputs.front() : options_.previewFile,
-              session.picture());
+        try {
+            write(options_.previewFile.empty() ? options_.outputs.front() : options_.previewFile,
+                  session.picture());
+        } catch (const OutputError& error) { // the render is worth more than a preview of it
+            std::fprintf(stderr, "calotype: warning: %s\n", error.what());
+        }
     }
 
+    /// Writes every output that can be written, then throws what went wrong first, if anything.
     bool writeOutputs(const Image& picture) {
-        for (const std::string& path : options_.outputs)
-            write(path, picture);
+        std::exception_ptr firstError;
+        for (const std::string& path : options_.outputs) {
+            try {
+                write(path, picture);
+            } catch (const OutputError&) {
+                firstError = firstError ? firstError : std::current_exception();
+            }
+        }
+        if (firstError)
+            std::rethrow_exception(firstError);
         return true;
     }
 
@@ -198,9 +215,9 @@ private:
         };
         warn(totals_.nonFiniteSamples, "samples were not finite and count as black");
         warn(totals_.cutPaths, "paths were cut short by the device's loop limit, so the picture is "
-                               "too dark; lower --max-bounces");
-        warn(totals_.overflowedPixels, "blocks of samples were too bright for the film and count "
-                                       "as black");
+                               "too dark; lower --max-bounces or take a GPU");
+        warn(totals_.lostBlocks,
+             "blocks of samples were too bright for the film and count as black");
         const std::string samples = std::to_string(totals_.samplesPerPixel) + " of " +
                                     std::to_string(settings_.samplesPerPixel) +
                                     " samples per pixel";

@@ -38,7 +38,7 @@ std::string toJson(const RenderStatistics& statistics) {
     json["paths"] = totals.paths;
     json["non_finite_samples"] = totals.nonFiniteSamples;
     json["cut_paths"] = totals.cutPaths;
-    json["overflowed_pixels"] = totals.overflowedPixels;
+    json["lost_blocks"] = totals.lostBlocks;
     json["device_memory_bytes"] = deviceBytes;
     json["peak_memory_bytes"] = peakMemoryBytes();
     return json.dump(2) + "\n";

@@ -16,9 +16,7 @@ float expose(float radiance, float gain) {
                                                       : 0.0f;
 }
 
-uint8_t quantise(float unit) {
-    return static_cast<uint8_t>(255.0f * srgbFromLinear(unit) + 0.5f);
-}
+uint8_t quantise(float unit) { return static_cast<uint8_t>(255.0f * srgbFromLinear(unit) + 0.5f); }
 
 } // namespace
 

@@ -80,8 +80,6 @@ Image Film::picture(std::span<const glm::vec4> partialBlock) const {
     return image;
 }
 
-uint64_t Film::samplesPerPixel() const {
-    return blocks_ * kSamplesPerBlock;
-}
+uint64_t Film::samplesPerPixel() const { return blocks_ * kSamplesPerBlock; }
 
 } // namespace calotype

@@ -24,8 +24,6 @@ inline FixedPoint toFixedPoint(double value) {
 }
 
 /// The nearest double.
-inline double fromFixedPoint(FixedPoint value) {
-    return static_cast<double>(value) * 0x1p-64;
-}
+inline double fromFixedPoint(FixedPoint value) { return static_cast<double>(value) * 0x1p-64; }
 
 } // namespace calotype

@@ -5,17 +5,18 @@
 namespace calotype {
 namespace {
 
-float minChannel(const glm::vec3& c) {
-    return glm::min(c.r, glm::min(c.g, c.b));
-}
-float maxChannel(const glm::vec3& c) {
-    return glm::max(c.r, glm::max(c.g, c.b));
-}
+float minChannel(const glm::vec3& c) { return glm::min(c.r, glm::min(c.g, c.b)); }
+float maxChannel(const glm::vec3& c) { return glm::max(c.r, glm::max(c.g, c.b)); }
 
 /// With x the smallest channel, p the largest after the toe, s = 0.76 and d = 1 - s:
-///   toe:      c -= x - 6.25 x^2 for x < 0.08, else 0.04   (undoes the Fresnel reflection, F0 =
-///   0.04) shoulder: for p >= s: n = 1 - d^2 / (p + d - s), c *= n / p, so p goes to n, which nears
-///   1 bleach:   c is mixed with white n by 1 - 1 / (0.15 (p - n) + 1)
+///
+/// Toe: c -= x - 6.25 x^2 for x < 0.08, else 0.04, which undoes the Fresnel reflection of F0 =
+/// 0.04.
+///
+/// Shoulder: for p >= s, n = 1 - d^2 / (p + d - s) and c *= n / p: p goes to n, which nears 1.
+///
+/// Bleach: c is mixed with white n by 1 - 1 / (0.15 (p - n) + 1).
+///
 /// Source: Khronos PBR Neutral Tone Mapper specification, 2024
 /// (github.com/KhronosGroup/ToneMapping, PBR_Neutral).
 glm::vec3 neutral(glm::vec3 color) {
@@ -34,9 +35,7 @@ glm::vec3 neutral(glm::vec3 color) {
 }
 
 /// Reinhard, Stark, Shirley, Ferwerda 2002, eq. 3, on the largest channel instead of luminance.
-glm::vec3 reinhard(const glm::vec3& color) {
-    return color / (1.0f + maxChannel(color));
-}
+glm::vec3 reinhard(const glm::vec3& color) { return color / (1.0f + maxChannel(color)); }
 
 } // namespace
 

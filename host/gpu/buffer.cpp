@@ -53,6 +53,12 @@ Buffer uploadBuffer(const Device& device, std::span<const std::byte> contents,
         device.submitAndWait([&](const vk::raii::CommandBuffer& commands) {
             commands.copyBuffer(staging.handle(), buffer.handle(),
                                 vk::BufferCopy(0, offset, bytes));
+            using Access = vk::AccessFlagBits;
+            const vk::MemoryBarrier toKernels(Access::eTransferWrite,
+                                              Access::eShaderRead | Access::eUniformRead);
+            commands.pipelineBarrier(vk::PipelineStageFlagBits::eTransfer,
+                                     vk::PipelineStageFlagBits::eComputeShader, {}, toKernels, {},
+                                     {});
         });
     }
     return buffer;

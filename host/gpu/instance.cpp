@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <stdexcept>
 
 namespace calotype {
 namespace {
@@ -21,6 +22,14 @@ void requireValidationLayer(const vk::raii::Context& context) {
         }))
         throw GpuError("CALOTYPE_VALIDATION is set, but the Khronos validation layer is not "
                        "installed (Debian: vulkan-validationlayers)");
+}
+
+vk::raii::Context loadVulkan() {
+    try {
+        return {};
+    } catch (const std::runtime_error&) {
+        throw GpuError("the Vulkan loader is not installed (Debian: libvulkan1)");
+    }
 }
 
 vk::raii::Instance createInstance(const vk::raii::Context& context,
@@ -45,7 +54,7 @@ VkBool32 Instance::onValidationMessage(VkDebugUtilsMessageSeverityFlagBitsEXT,
     return VK_FALSE;
 }
 
-Instance::Instance() : log_(std::make_unique<MessageLog>()) {
+Instance::Instance() : log_(std::make_unique<MessageLog>()), context_(loadVulkan()) {
     callVulkan([&] {
         const bool validate = validationRequested();
         if (validate)

@@ -11,13 +11,13 @@ std::vector<AliasColumn> buildAliasTable(std::span<const double> weights) {
     if (weights.empty())
         return columns;
     const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
-    CALOTYPE_CHECK_LT(0.0, sum);
+    CALOTYPE_CHECK_LE(0.0, sum);
 
     std::vector<double> filled(weights.size()); // in units of one column
     std::vector<uint32_t> underfull;
     std::vector<uint32_t> overfull;
     for (uint32_t i = 0; i < weights.size(); ++i) {
-        columns[i].chance = weights[i] / sum;
+        columns[i].chance = sum > 0.0 ? weights[i] / sum : 0.0;
         columns[i].alias = i;
         filled[i] = columns[i].chance * static_cast<double>(weights.size());
         (filled[i] < 1.0 ? underfull : overfull).push_back(i);
@@ -34,7 +34,7 @@ std::vector<AliasColumn> buildAliasTable(std::span<const double> weights) {
             underfull.push_back(donor);
         }
     }
-    return columns; // what is left over is full but for rounding
+    return columns; // what is left over is full but for rounding, or all have no weight
 }
 
 } // namespace calotype

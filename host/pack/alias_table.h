@@ -14,7 +14,7 @@ struct AliasColumn {
 };
 
 /// Choosing an index in proportion to its weight, in constant time (Walker 1974, built as in Vose
-/// 1991). The weights are finite, none negative and their sum above 0; or there are none.
+/// 1991). The weights are finite, none negative. Where all are 0, so are the chances.
 std::vector<AliasColumn> buildAliasTable(std::span<const double> weights);
 
 } // namespace calotype

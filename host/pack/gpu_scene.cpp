@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/check.h"
+#include "base/error.h"
 #include "pack/alias_table.h"
 #include "pack/pack_shapes.h"
 
@@ -15,6 +16,24 @@ double luminance(const glm::dvec3& rgb) { return 0.2126 * rgb.x + 0.7152 * rgb.y
 
 double maxComponent(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
+/// Radiance that float holds with room for sums and products.
+void requireFloatRange(const Material& material) {
+    constexpr double kFaintest = 1e-30;
+    constexpr double kBrightest = 1e30;
+    const double radiance = maxComponent(material.emission);
+    if (radiance > kBrightest || (radiance > 0.0 && radiance < kFaintest))
+        throw SceneError("material '" + material.name + "'",
+                         "emits a radiance that is neither 0 nor from 1e-30 to 1e30 W/(m^2 sr)");
+}
+
+/// Names and rows of nodes and primitives have to fit into their bits.
+void requireIndexable(size_t nodes, size_t primitives) {
+    constexpr size_t kMost = size_t{1} << 28;
+    if (std::max(nodes, primitives) > kMost)
+        throw GpuError("the scene has " + std::to_string(primitives) +
+                       " primitives, and the kernels can address " + std::to_string(kMost));
+}
+
 class ScenePacker {
 public:
     ScenePacker(const Scene& scene, std::span<const Primitive> primitives, const Bvh& bvh,
@@ -24,6 +43,7 @@ public:
     }
 
     GpuScene pack(double aspectRatio) {
+        requireIndexable(bvh_.nodes.size(), primitives_.size());
         packPrimitives();
         packNodes();
         packMaterials();
@@ -82,8 +102,11 @@ private:
     /// The new light's index, or kNone where the material does not shine or there is no area.
     uint32_t addLight(uint32_t materialIndex, uint32_t primitive, double area) {
         const Material& material = scene_.materials[materialIndex];
-        if (maxComponent(material.emission) <= 0.0 || area <= 0.0)
+        // A light that is off but hidden from the camera still has to be seen through.
+        const bool shines = maxComponent(material.emission) > 0.0 && area > 0.0;
+        if (!shines && material.visibleToCamera)
             return gpu::kNone;
+        requireFloatRange(material);
         gpu::Light light{};
         light.radiance = glm::vec3(material.emission);
         light.primitive = primitive;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <type_traits>
 
 #include <glm/geometric.hpp>
 
@@ -50,10 +51,6 @@ gpu::Quadric pack(const Disk& disk, const glm::dvec3& origin) {
     return quadric;
 }
 
-gpu::Quadric pack(const Mesh&, const glm::dvec3&) {
-    failCheck("a mesh is no quadric", 0, 0, __FILE__, __LINE__);
-}
-
 } // namespace
 
 gpu::Triangle packTriangle(const Mesh& mesh, uint32_t triangle, const glm::dvec3& origin,
@@ -81,8 +78,14 @@ gpu::TriangleNormals packTriangleNormals(const Mesh& mesh, uint32_t triangle) {
 }
 
 gpu::Quadric packQuadric(const Shape& shape, const glm::dvec3& origin, uint32_t number) {
-    gpu::Quadric packed =
-        std::visit([&](const auto& geometry) { return pack(geometry, origin); }, shape.geometry);
+    CALOTYPE_CHECK_EQ(std::holds_alternative<Mesh>(shape.geometry), false);
+    gpu::Quadric packed{};
+    std::visit(
+        [&]<typename Geometry>(const Geometry& geometry) {
+            if constexpr (!std::is_same_v<Geometry, Mesh>)
+                packed = pack(geometry, origin);
+        },
+        shape.geometry);
     packed.material = shape.material;
     packed.light = gpu::kNone;
     packed.id = number;

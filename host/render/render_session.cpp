@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "base/error.h"
 #include "shared/limits.h"
 
 namespace calotype {
@@ -39,7 +40,7 @@ bool RenderSession::run(const RenderObserver& observer, uint32_t passSamples) {
         if (end - blockStart == gpu::kSamplesPerBlock) {
             film_.addBlock(tracer_.readBlock());
             blockIsInFilm_ = true;
-            totals_.overflowedPixels = film_.overflowedPixels() + film_.nonFinitePixels();
+            totals_.lostBlocks = film_.overflowedPixels() + film_.nonFinitePixels();
         }
         totals_.samplesPerPixel = end;
         if (done == 0)
@@ -64,6 +65,10 @@ bool RenderSession::renderPass(uint32_t sampleEnd, const RenderObserver& observe
         totals_.seconds += seconds;
         if (counters.unfinishedPixels == 0)
             first += count;
+        else if (counters.paths == 0)
+            throw GpuError(
+                "a dispatch made no progress: its paths outgrew the device's limit on loop "
+                "iterations; lower --max-bounces");
         if (observer.onDispatch)
             observer.onDispatch(totals_);
         if (observer.shouldStop && observer.shouldStop())

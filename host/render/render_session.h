@@ -15,11 +15,11 @@ namespace calotype {
 struct RenderTotals {
     uint64_t rays = 0;
     uint64_t paths = 0;
-    uint64_t nonFiniteSamples = 0;   ///< counted as samples of value zero
-    uint64_t cutPaths = 0;           ///< ended by the loop budget of one dispatch
-    uint64_t overflowedPixels = 0;   ///< blocks of a pixel too bright for the film, left out
-    uint32_t samplesPerPixel = 0;    ///< that every pixel has
-    double seconds = 0.0;            ///< of sampling alone
+    uint64_t nonFiniteSamples = 0; ///< counted as samples of value zero
+    uint64_t cutPaths = 0;         ///< ended by the loop budget of one dispatch
+    uint64_t lostBlocks = 0;      ///< of one pixel each: sums not finite or too bright for the film
+    uint32_t samplesPerPixel = 0; ///< that every pixel has
+    double seconds = 0.0;         ///< of sampling alone
     double firstSampleSeconds = 0.0; ///< of sampling until every pixel had a sample
 };
 

@@ -25,6 +25,13 @@ std::string readFile(const std::string& path, const std::string& where) {
         throw SceneError(where,
                          "cannot read the file " + inQuotes(path) + ": " + std::strerror(reason));
     };
+    std::error_code unknownStatus;
+    const auto status = std::filesystem::status(path, unknownStatus);
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+        // Pipes and devices may block, or never end.
+        throw SceneError(where,
+                         "cannot read the file " + inQuotes(path) + ": it is not a regular file");
+    }
     const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
     if (!file) {
         fail(errno);
@@ -51,7 +58,7 @@ std::string readFile(const std::string& path, const std::string& where) {
 bool isReadableFile(const std::string& path) {
     std::error_code ignored;
     const auto status = std::filesystem::status(path, ignored);
-    return std::filesystem::exists(status) && !std::filesystem::is_directory(status) &&
+    return std::filesystem::is_regular_file(status) &&
            std::unique_ptr<std::FILE, CloseFile>(std::fopen(path.c_str(), "rb")) != nullptr;
 }
 

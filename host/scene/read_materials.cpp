@@ -20,8 +20,11 @@ Material readMaterial(const JsonValue& value, const std::string& name) {
     }
     const JsonObject object(value, {"type", "color", "emission", "emission_side", "normal_map",
                                     "alpha", "displacement"});
-    for (const char* key : {"normal_map", "alpha", "displacement"}) {
+    for (const char* key : {"normal_map", "displacement"}) {
         object.refuse(key);
+    }
+    if (const auto alpha = object.optional("alpha"); alpha && !alpha->boolean()) {
+        failUnsupported(*alpha, "ignoring a texture's alpha");
     }
     Material material;
     material.name = name;

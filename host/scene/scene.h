@@ -29,7 +29,7 @@ struct FilmSettings {
 };
 
 struct RenderDefaults {
-    static constexpr uint32_t kMostSamplesPerPixel = 1u << 30;
+    static constexpr uint32_t kMostSamplesPerPixel = 1u << 26;
     static constexpr uint32_t kMostBounces = 1u << 20;
 
     uint32_t samplesPerPixel = 64;

@@ -4,14 +4,16 @@
 // goes on where the last one stopped, and the picture does not depend on how the work was cut up.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
-#extension GL_KHR_shader_subgroup_ballot : require
 #extension GL_KHR_shader_subgroup_basic : require
-#extension GL_KHR_shader_subgroup_vote : require
 
 #include "film/finite.glsl"
 #include "film/tiles.glsl"
 #include "path/path.glsl"
 #include "shared/render_structs.h"
+
+// The loop of main itself, and one pass through each loop of isOccluded, which llvmpipe makes even
+// where no invocation takes that way.
+const uint kIterationsOutsideTraversal = 4u;
 
 layout(local_size_x = kTileSize * kTileSize) in;
 layout(push_constant) uniform Parameters { RenderParameters parameters; };
@@ -42,8 +44,8 @@ void main() {
             path = startPath(id, camera, parameters.imageSize);
         }
         pathEnded = !extendPath(path, limits, cost);
-        cost.iterations = subgroupMax(cost.iterations) + 1u;
-        bool cut = !pathEnded && cost.iterations > kIterationsBeforeCut;
+        cost.iterations = subgroupMax(cost.iterations) + kIterationsOutsideTraversal;
+        bool cut = !pathEnded && cost.iterations > parameters.iterationsBeforeCut;
         cutPaths += cut ? 1u : 0u;
         pathEnded = pathEnded || cut;
         if (pathEnded) {
@@ -51,8 +53,8 @@ void main() {
             sum += vec4(finite ? path.radiance : vec3(0.0), 1.0);
             nonFiniteSamples += finite ? 0u : 1u;
             sampleCount++;
-            working =
-                sampleCount < parameters.sampleEnd && cost.iterations < kIterationsBeforePause;
+            working = sampleCount < parameters.sampleEnd &&
+                      cost.iterations < parameters.iterationsBeforePause;
         }
     }
 

@@ -14,8 +14,8 @@ struct SurfaceSample {
 float solidAnglePdf(float area, vec3 reference, vec3 position, vec3 normal) {
     vec3 d = position - reference;
     float distance2 = dot(d, d);
-    float projected = abs(dot(d, normal)) * area;
-    return projected > 0.0 ? distance2 * sqrt(distance2) / projected : 0.0;
+    float cosTheta = abs(dot(d * inversesqrt(distance2), normal));
+    return cosTheta > 0.0 ? distance2 / (cosTheta * area) : 0.0;
 }
 
 #endif

@@ -58,7 +58,9 @@ vec3 directLight(Path path, Bsdf bsdf, vec3 origin, uint lightCount, inout PathC
     vec3 facing = dot(toLight, point.normal) > 0.0 ? -point.normal : point.normal;
     vec3 target = offsetFromSurface(point.position, point.error, facing);
     cost.rays++;
-    if (isOccluded(Ray(origin, 1.0, target - origin), light.primitive, cost.iterations))
+    float distanceToTarget = length(target - origin);
+    Ray shadowRay = Ray(origin, distanceToTarget, (target - origin) / distanceToTarget);
+    if (isOccluded(shadowRay, light.primitive, cost.iterations))
         return vec3(0.0);
     float pdf = point.pdf * light.selectionChance;
     return reflected * (misWeight(pdf, bsdfPdf(bsdf, wi)) / pdf);

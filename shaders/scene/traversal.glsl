@@ -65,7 +65,7 @@ Hit traverse(Ray ray, bool anyHit, uint skipped, inout uint iterations) {
     NodeRay nodeRay = NodeRay(ray.origin, safeReciprocal(ray.direction));
     ShearedRay sheared = shearedRay(ray.origin, ray.direction);
     Hit hit = Hit(ray.tMax, kNone);
-    uint stack[kMaxBvhDepth + 1u];
+    uint stack[kMaxBvhDepth + 2u]; // the end, one a level, and one beyond that is read in vain
     stack[0] = kNone;
     uint stackSize = 1u;
     uint contents = contentsOf(loadNode(0u));

@@ -18,11 +18,6 @@ CALOTYPE_CONSTANT uint kMaxBvhDepth = 32;
 /// Primitives in a leaf, at most.
 CALOTYPE_CONSTANT uint kMaxLeafPrimitives = 4;
 
-/// llvmpipe gives a subgroup 65,535 loop iterations per dispatch and silently skips the rest. Past
-/// the first count a pixel takes up no new sample, past the second a path is cut and counted.
-CALOTYPE_CONSTANT uint kIterationsBeforePause = 30000;
-CALOTYPE_CONSTANT uint kIterationsBeforeCut = 50000;
-
 CALOTYPE_END_SHARED
 
 #endif

@@ -20,8 +20,8 @@ struct RenderParameters {
     uint seed;
     uint maxBounces;
     uint lightCount;
-    uint pad0;
-    uint pad1;
+    uint iterationsBeforePause; ///< loop iterations after which a pixel takes up no new sample
+    uint iterationsBeforeCut;   ///< and after which a path is ended, and counted
 };
 
 /// Sums over one dispatch, added to atomically, once per subgroup.

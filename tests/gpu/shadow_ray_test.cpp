@@ -28,6 +28,8 @@ WallPoints wallPoints(const PrimitiveScene& scene, double radius, RandomNumbers&
     const auto found = scene.traverse(rays);
     for (size_t i = 0; i < rays.size(); ++i)
         rays[i].primitive = found[i].primitive;
+    std::erase_if(rays, [](const auto& ray) { return ray.primitive == gpu::kNone; });
+    EXPECT_EQ(rays.size(), 2 * kRays) << "rays escaped from the room";
     std::vector<gpu::TestOffset> offsets;
     WallPoints points;
     for (const gpu::TestHit& hit : scene.hits(rays)) {
@@ -41,11 +43,12 @@ WallPoints wallPoints(const PrimitiveScene& scene, double radius, RandomNumbers&
 /// One ray from each point of the first half to one of the second.
 std::vector<gpu::TestRay> shadowRays(const WallPoints& points) {
     std::vector<gpu::TestRay> rays;
-    for (uint32_t i = 0; i < kRays; ++i) {
+    const size_t half = points.positions.size() / 2;
+    for (size_t i = 0; i < half; ++i) {
         const glm::vec3 origin = points.positions[i];
         gpu::TestRay ray =
-            testRay(glm::dvec3(origin), glm::dvec3(points.positions[i + kRays] - origin),
-                    points.primitives[i + kRays]);
+            testRay(glm::dvec3(origin), glm::dvec3(points.positions[i + half] - origin),
+                    points.primitives[i + half]);
         ray.tMax = 1.0f;
         ray.anyHit = 1;
         rays.push_back(ray);

@@ -198,7 +198,7 @@ TEST_F(TraversalCost, OfAxisAlignedRaysStaysLow) {
         most = std::max(most, hit.iterations);
     }
     RecordProperty("iterations", std::to_string(most));
-    EXPECT_LT(most, 200u);
+    EXPECT_LT(most, 100u);
 }
 
 } // namespace

@@ -74,6 +74,46 @@ TEST_F(InvarianceTest, SeedsDiffer) {
     EXPECT_NE(first.pixels, second.pixels);
 }
 
+// A path that alone outgrows the budget is cut and counted, and the render comes to its end.
+TEST_F(InvarianceTest, PathsBeyondTheLoopBudgetAreCutAndCounted) {
+    SceneBuilder builder;
+    builder.material(1.0, 0.0);
+    builder.material(0.0, 1.0, true); // a lamp outside, so that light is sampled in vain
+    builder.add(makeShape(Sphere{{}, 1.0}, 0));
+    builder.add(makeShape(Sphere{{glm::dmat3(1.0), {9.0, 0.0, 0.0}}, 1.0}, 1));
+    Scene& scene = builder.scene();
+    scene.film = {8, 8};
+    scene.render = {2, 20000, 0};
+    const RenderedScene result = renderScene(scene);
+    EXPECT_EQ(result.totals.paths, 8u * 8u * 2u);
+    if (testDevice().info().type == "CPU") {
+        EXPECT_EQ(result.totals.cutPaths, 8u * 8u * 2u);
+    }
+}
+
+// Stopped in its first pass, a session shows the pixels that have a sample, each divided by its own
+// number of them: a black room that glows is exact where there is any.
+TEST_F(InvarianceTest, PartialBlockIsDividedPixelByPixel) {
+    SceneBuilder builder;
+    builder.material(0.0, 0.75);
+    builder.add(makeShape(Sphere{{}, 1.0}, 0));
+    Scene& scene = builder.scene();
+    scene.film = {256, 256};
+    scene.render = {1 << 20, 2, 0};
+    RenderWish wish;
+    int dispatches = 0;
+    wish.observer.shouldStop = [&] { return ++dispatches == 2; };
+    size_t black = 0;
+    size_t glowing = 0;
+    for (const glm::vec3& pixel : renderScene(scene, wish).image.pixels) {
+        black += pixel == glm::vec3(0.0f) ? 1 : 0;
+        glowing += pixel == glm::vec3(0.75f) ? 1 : 0;
+    }
+    EXPECT_EQ(black + glowing, 256u * 256u);
+    EXPECT_GT(black, 0u);
+    EXPECT_GT(glowing, 0u);
+}
+
 // Stopped after a few dispatches and asked for its picture, a session shows the samples it has.
 TEST_F(InvarianceTest, StoppedSessionShowsWhatThereIs) {
     RenderWish wish = small();
@@ -86,7 +126,7 @@ TEST_F(InvarianceTest, StoppedSessionShowsWhatThereIs) {
     EXPECT_GT(imageMean(stopped.image).x, 0.01);
 }
 
-// Scattering 200 times in a closed room takes more loop iterations than llvmpipe grants a dispatch
+// Scattering 400 times in a closed room takes more loop iterations than llvmpipe grants a dispatch
 // for a block of samples, so the work has to be taken up again; the mean tells if any was lost.
 TEST_F(InvarianceTest, LongPathsSurviveTheLoopBudget) {
     SceneBuilder builder;
@@ -96,7 +136,15 @@ TEST_F(InvarianceTest, LongPathsSurviveTheLoopBudget) {
     scene.film = {16, 16};
     scene.render = {64, 400, 0};
     scene.camera.position = {0.1, 0.2, 0.15};
-    const RenderedScene result = renderScene(scene);
+    int dispatches = 0;
+    int passes = 0;
+    RenderWish wish;
+    wish.observer.onDispatch = [&](const RenderTotals&) { ++dispatches; };
+    wish.observer.onPass = [&](const RenderTotals&) { ++passes; };
+    const RenderedScene result = renderScene(scene, wish);
+    if (testDevice().info().type == "CPU") {
+        EXPECT_GT(dispatches, passes); // four tiles fit into one dispatch but for the budget
+    }
     EXPECT_EQ(result.totals.cutPaths, 0u);
     EXPECT_EQ(result.totals.paths, 16u * 16u * 64u);
     const double expected = 1.0 - std::pow(0.98, 401);

@@ -100,8 +100,8 @@ void putParameters() {
     put(p.seed);
     put(p.maxBounces);
     put(p.lightCount);
-    put(p.pad0);
-    put(p.pad1);
+    put(p.iterationsBeforePause);
+    put(p.iterationsBeforeCut);
 }
 
 void putCounters() {
