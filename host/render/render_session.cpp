@@ -9,13 +9,16 @@
 namespace calotype {
 namespace {
 
+/// Samples that a pass adds, at most. A whole block of 16 in one dispatch often outgrows llvmpipe's
+/// loop budget, and finishing it in a second one with most lanes idle cost a quarter of the time.
+constexpr uint32_t kMaxPassSamples = 8;
+
 /// Where the pass ends that begins with `done` samples in every pixel: the first doubles, none
-/// crosses a block's end, the last sample, or a multiple of `passSamples`.
+/// crosses a multiple of kMaxPassSamples, the last sample, or a multiple of `passSamples`.
 uint32_t endOfPass(uint32_t done, uint32_t samplesPerPixel, uint32_t passSamples) {
     const auto nextMultiple = [done](uint32_t n) { return (done / n + 1) * n; };
-    uint32_t end = std::min(nextMultiple(gpu::kSamplesPerBlock), samplesPerPixel);
-    if (done < gpu::kSamplesPerBlock)
-        end = std::min(end, std::max(1u, 2 * done));
+    uint32_t end = std::min(nextMultiple(kMaxPassSamples), samplesPerPixel);
+    end = std::min(end, std::max(1u, 2 * done));
     return passSamples > 0 ? std::min(end, nextMultiple(passSamples)) : end;
 }
 
