@@ -5,7 +5,8 @@
 // reciprocal of at most 2.5 ULP, product); widening the far side by twice that keeps every box that
 // exact arithmetic would pass (Ize 2013, "Robust BVH Ray Traversal"). Components of the direction
 // below 1e-18 are replaced before the reciprocal, so axis-parallel rays meet no NaN and no
-// infinity.
+// infinity; such a ray exactly in a box's face counts as inside on the lower side only, so of two
+// boxes that share the face it enters one.
 #ifndef CALOTYPE_SCENE_TRAVERSAL_GLSL
 #define CALOTYPE_SCENE_TRAVERSAL_GLSL
 
