@@ -10,27 +10,11 @@
 #include "scene/read_materials.h"
 #include "scene/read_settings.h"
 #include "scene/read_shapes.h"
+#include "scene/read_textures.h"
 #include "scene/scene_override.h"
 
 namespace calotype {
 namespace {
-
-/// Accepts the parts of the format that this version does not render, where they ask for nothing.
-void checkNeutral(const JsonObject& root) {
-    if (const auto background = root.optional("background")) {
-        if (readRadiance(*background) != glm::dvec3(0.0)) {
-            failUnsupported(*background, "a \"background\" other than 0");
-        }
-    }
-    if (const auto textures = root.optional("textures")) {
-        if (!textures->json().is_object()) {
-            textures->fail("must be an object of textures by name");
-        }
-        if (!textures->json().empty()) {
-            failUnsupported(*textures, "an image or pattern in \"textures\"");
-        }
-    }
-}
 
 bool emits(const Scene& scene, uint32_t material) {
     return scene.materials[material].emission != glm::dvec3(0.0);
@@ -47,6 +31,9 @@ bool hasEmission(const Scene& scene) {
 }
 
 void warnIfBlack(LoadContext& context, const std::string& path) {
+    if (context.scene.background != glm::dvec3(0.0)) {
+        return;
+    }
     if (context.scene.shapes.empty()) {
         context.warn(path, "there are no shapes and no lights, so the picture will be black");
     } else if (!hasEmission(context.scene)) {
@@ -58,7 +45,6 @@ void readScene(const JsonObject& root, LoadContext& context) {
     if (const auto schema = root.optional("$schema")) {
         schema->text();
     }
-    checkNeutral(root);
     Scene& scene = context.scene;
     scene.camera = readCamera(root.required("camera"));
     if (const auto film = root.optional("film")) {
@@ -66,6 +52,12 @@ void readScene(const JsonObject& root, LoadContext& context) {
     }
     if (const auto render = root.optional("render")) {
         scene.render = readRender(*render);
+    }
+    if (const auto background = root.optional("background")) {
+        scene.background = readRadiance(*background);
+    }
+    if (const auto textures = root.optional("textures")) {
+        readTextures(*textures, context);
     }
     if (const auto materials = root.optional("materials")) {
         readMaterials(*materials, context);
@@ -90,7 +82,7 @@ Scene loadScene(const std::string& path, const LoadOptions& options) {
     for (const SceneOverride& override : options.overrides) {
         applyOverride(document, override);
     }
-    LoadContext context{options, std::filesystem::path(path).parent_path(), {}, {}, {}, {}, {}};
+    LoadContext context{options, std::filesystem::path(path).parent_path(), {}, {}, {}, {}, {}, {}};
     context.hash.add(document.dump());
     readScene(
         JsonObject(JsonValue(document, path), {"$schema", "camera", "film", "render", "background",

@@ -15,7 +15,11 @@ struct SceneOverride {
     std::string value;
 };
 
+/// What to do where the image file of a texture cannot be found.
+enum class MissingTextures : uint8_t { Fail, Warn }; ///< Warn: show magenta in its place
+
 struct LoadOptions {
+    MissingTextures missingTextures = MissingTextures::Fail;
     std::vector<SceneOverride> overrides;
     /// Called now and then with what is being read, e.g. "chair.obj", and the share done in [0, 1].
     std::function<void(const std::string& what, double done)> onProgress;

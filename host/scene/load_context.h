@@ -23,6 +23,7 @@ struct LoadContext {
 
     Scene scene;
     ContentHash hash;
+    std::vector<std::string> textureNames;  ///< of the scene file: the first of Scene::textures
     std::vector<std::string> materialNames; ///< of the scene file: the first of Scene::materials
 
     /// OBJ files by path, each read once however many meshes name it.
@@ -33,6 +34,11 @@ struct LoadContext {
     uint32_t addMaterial(Material material) {
         scene.materials.push_back(std::move(material));
         return static_cast<uint32_t>(scene.materials.size() - 1);
+    }
+
+    uint32_t addTexture(Texture texture) {
+        scene.textures.push_back(std::move(texture));
+        return static_cast<uint32_t>(scene.textures.size() - 1);
     }
 
     /// Adds the sentence "WHERE: MESSAGE", once.

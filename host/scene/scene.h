@@ -6,26 +6,39 @@
 #include <vector>
 
 #include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "math/rigid_transform.h"
+#include "scene/texture.h"
 
 /// What the user wrote, checked and resolved: metres, radians, linear Rec. 709, double precision,
 /// every transform applied. Nothing here knows of a device.
 namespace calotype {
 
-/// Perspective pinhole camera. The three directions are orthonormal.
+enum class Projection : uint8_t { Perspective, Orthographic };
+
+/// A pinhole or a thin lens. The three directions are orthonormal.
 struct Camera {
+    Projection projection = Projection::Perspective;
     glm::dvec3 position{0.0};
     glm::dvec3 right{1.0, 0.0, 0.0};
     glm::dvec3 up{0.0, 1.0, 0.0};
     glm::dvec3 forward{0.0, 0.0, -1.0};
-    double verticalFov = 0.7; ///< radians, in (0, pi)
+    double verticalFov = 0.7;   ///< perspective: radians, in (0, pi)
+    double viewHeight = 1.0;    ///< orthographic: metres from the picture's bottom to its top
+    double lensRadius = 0.0;    ///< metres; 0 is a pinhole
+    double focusDistance = 1.0; ///< metres along `forward` to the plane in focus
 };
+
+/// Reconstruction filter of the film: box 1 pixel wide; tent of radius 1; Gaussian of sigma 0.5 cut
+/// off at 1.5; Blackman-Harris window of radius 1.5. All but the box reach into other pixels.
+enum class FilmFilter : uint8_t { Box, Tent, Gaussian, BlackmanHarris };
 
 struct FilmSettings {
     uint32_t width = 640;
     uint32_t height = 480;
+    FilmFilter filter = FilmFilter::Box;
 };
 
 struct RenderDefaults {
@@ -37,11 +50,36 @@ struct RenderDefaults {
     uint32_t seed = 0;
 };
 
-/// A diffuse reflector (report eq. 1.21) that may also emit.
+enum class MaterialType : uint8_t { Diffuse, Metal, Nonmetal, BlinnPhong, Dielectric };
+
+/// Shadowing and masking of the GGX lobe: the report's (eq. 1.30), or Smith's height-correlated.
+enum class Masking : uint8_t { Schlick, Smith };
+
+/// What a surface does to light; the equations are the report's, as the scene format reads them. A
+/// field that its type does not name is not used. A texture multiplies the number beside it.
 struct Material {
+    static constexpr uint32_t kNoTexture = ~0u;
+    static constexpr double kHighestExponent = 1e7;
+
     std::string name;
-    glm::dvec3 color{0.0};    ///< reflectance in [0, 1]
-    glm::dvec3 emission{0.0}; ///< radiance, W/(m^2 sr)
+    MaterialType type = MaterialType::Diffuse;
+    glm::dvec3 color{0.0}; ///< reflectance, a metal's F0, or a dielectric's tint of each crossing
+    uint32_t colorTexture = kNoTexture; ///< index into Scene::textures, as all below
+    double roughness = 0.0;             ///< metal, nonmetal: in [0, 1]; alpha is its square
+    uint32_t roughnessTexture = kNoTexture;
+    double specular = 0.04; ///< nonmetal: F0
+    uint32_t specularTexture = kNoTexture;
+    Masking masking = Masking::Schlick; ///< metal, nonmetal
+    double kd = 1.0;                    ///< blinn_phong: weight of the diffuse lobe
+    double ks = 0.0;                    ///< blinn_phong: weight of the specular lobe
+    double exponent = 0.0;              ///< blinn_phong: up to kHighestExponent
+    bool normalize = false;             ///< blinn_phong: the energy-conserving form
+    double ior = 1.5;                   ///< dielectric: of the inside
+    double exteriorIor = 1.0;           ///< dielectric: of the outside
+    uint32_t normalMap = kNoTexture;
+    uint32_t alphaTexture = kNoTexture; ///< whose alpha lets light through
+    double opacity = 1.0;               ///< share of the light that meets the surface, in [0, 1]
+    glm::dvec3 emission{0.0};           ///< radiance, W/(m^2 sr)
     bool emitsFromFrontOnly = false;
     bool visibleToCamera = true; ///< false: camera rays pass through (lights only)
 };
@@ -76,14 +114,17 @@ struct Disk {
 /// Triangles in world space. A front face runs counter-clockwise.
 struct Mesh {
     static constexpr uint32_t kNoNormal = ~0u;
+    static constexpr uint32_t kNoUv = ~0u;
 
     struct Triangle {
         uint32_t position[3]; ///< indices into `positions`
         uint32_t normal[3];   ///< indices into `normals`, or kNoNormal in all three
         uint32_t material;    ///< index into Scene::materials
+        uint32_t uv[3] = {kNoUv, kNoUv, kNoUv}; ///< indices into `uvs`, or kNoUv in all three
     };
     std::vector<glm::dvec3> positions;
     std::vector<glm::dvec3> normals; ///< unit length
+    std::vector<glm::dvec2> uvs;
     std::vector<Triangle> triangles;
 };
 
@@ -99,6 +140,8 @@ struct Scene {
     Camera camera;
     FilmSettings film;
     RenderDefaults render;
+    glm::dvec3 background{0.0}; ///< radiance from everywhere, W/(m^2 sr)
+    std::vector<Texture> textures;
     std::vector<Material> materials;
     std::vector<Shape> shapes;
 
