@@ -5,10 +5,12 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "scene/content_hash.h"
+#include "scene/displacement.h"
 #include "scene/json_reader.h"
 #include "scene/load.h"
 #include "scene/obj_file.h"
@@ -30,6 +32,8 @@ struct LoadContext {
     std::map<std::string, std::shared_ptr<const ObjFile>> objFiles;
     /// What materialsFromMtl returned, by OBJ path.
     std::map<std::string, std::vector<uint32_t>> mtlMaterials;
+    /// Of the first of Scene::materials, by their index; the others have none.
+    std::vector<std::optional<Displacement>> displacements = {};
 
     uint32_t addMaterial(Material material) {
         scene.materials.push_back(std::move(material));
