@@ -82,7 +82,7 @@ Scene loadScene(const std::string& path, const LoadOptions& options) {
     for (const SceneOverride& override : options.overrides) {
         applyOverride(document, override);
     }
-    LoadContext context{options, std::filesystem::path(path).parent_path(), {}, {}, {}, {}, {}, {}};
+    LoadContext context(options, std::filesystem::path(path).parent_path());
     context.hash.add(document.dump());
     readScene(
         JsonObject(JsonValue(document, path), {"$schema", "camera", "film", "render", "background",
