@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <exception>
 #include <functional>
+#include <map>
 #include <new>
 #include <string>
 #include <vector>
@@ -42,7 +43,9 @@ int withExitCode(const std::function<int()>& action) {
 }
 
 void addSceneOptions(CLI::App& command, SceneOptions& scene) {
-    command.add_option("scene", scene.path, "Scene file (JSON)")->required()->type_name("SCENE");
+    command.add_option("scene", scene.path, "Scene file (JSON), or a model (OBJ) to show")
+        ->required()
+        ->type_name("SCENE");
     command
         .add_option_function<std::vector<std::string>>(
             "--set",
@@ -54,6 +57,13 @@ void addSceneOptions(CLI::App& command, SceneOptions& scene) {
         ->type_name("/POINTER=VALUE")
         ->expected(1)
         ->take_all();
+    const std::map<std::string, MissingTextures> choices = {{"fail", MissingTextures::Fail},
+                                                            {"warn", MissingTextures::Warn}};
+    command
+        .add_option("--missing-textures", scene.missingTextures,
+                    "Where an image file is missing: fail, or warn and show magenta")
+        ->transform(CLI::Transformer(choices))
+        ->type_name("fail|warn");
 }
 
 void addDeviceOptions(CLI::App& command, DeviceOptions& device) {

@@ -14,6 +14,8 @@ namespace fs = std::filesystem;
 
 /// A folder with more entries is not searched for a suggestion.
 constexpr size_t kMostSuggestions = 10'000;
+/// No system that Calotype runs on opens longer paths.
+constexpr size_t kLongestPath = 4096;
 
 /// With slashes, and without the doubled ones that escaped backslashes leave.
 std::string withSlashes(std::string name) {
@@ -80,6 +82,9 @@ std::optional<fs::path> findInAnyCase(const fs::path& directory, const std::stri
 } // namespace
 
 std::optional<fs::path> findFile(const fs::path& directory, const std::string& name) {
+    if (name.size() > kLongestPath) {
+        return std::nullopt;
+    }
     if (isReadableFile((directory / name).string())) {
         return directory / name;
     }
