@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scene/content_hash.h"
@@ -20,8 +21,13 @@ namespace calotype {
 
 /// What the readers of one scene file share: what is made, and what is looked up on the way.
 struct LoadContext {
+    LoadContext(const LoadOptions& loadOptions, std::filesystem::path sceneDirectory)
+        : options(loadOptions), directory(std::move(sceneDirectory)) {}
+
     const LoadOptions& options;
     std::filesystem::path directory; ///< that file names in the scene are relative to
+    /// Faces whose material no MTL file defines are grey, with a warning, rather than an error.
+    bool toleratesUndefinedMaterials = false;
 
     Scene scene;
     ContentHash hash;
@@ -30,6 +36,9 @@ struct LoadContext {
 
     /// OBJ files by path, each read once however many meshes name it.
     std::map<std::string, std::shared_ptr<const ObjFile>> objFiles;
+    /// Image files by path, and what is made of them (by path and recipe), each read once however
+    /// many textures name it.
+    std::map<std::string, std::shared_ptr<const TexelImage>> images;
     /// What materialsFromMtl returned, by OBJ path.
     std::map<std::string, std::vector<uint32_t>> mtlMaterials;
     /// Of the first of Scene::materials, by their index; the others have none.
