@@ -1,4 +1,7 @@
-"""A sitting hare, cast in one piece: blended ellipsoids and capsules."""
+"""A sitting hare, cast in one piece: blended ellipsoids and capsules.
+
+As glass it is seen through, so the surface is closed, and its points are evenly spread.
+"""
 
 import math
 
@@ -7,7 +10,7 @@ from generator.implicit import blend, capsule, carve, ellipsoid
 from generator.mesh import Mesh
 
 HEIGHT = 0.36  # metres to the tips of the ears; the field below has height 1
-CELL = 0.0106  # of the field; at this size no two sheets of the surface share an edge
+CELL = 0.0078  # of the field; at this size no two sheets of the surface share an edge
 NECK = (0.09, 0.60, 0.0)
 HEAD_TURN = math.radians(-14)
 
@@ -17,7 +20,7 @@ def hare():
     surface = implicit.surface_net(_field, (-0.5, -0.06, -0.36), (0.5, 1.1, 0.36), CELL)
     surface.points = [vectors.scale(p, HEIGHT) for p in surface.points]
     mesh = Mesh("hare", normals=False)
-    mesh.add("plaster", surface)
+    mesh.add("hare", surface)
     return mesh
 
 
