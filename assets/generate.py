@@ -14,11 +14,12 @@ import sys
 
 sys.dont_write_bytecode = True  # leaves no __pycache__ in the checkout
 
-from generator import camera, cloth, cushion, cushion_maps, damask, furniture, hare  # noqa: E402
-from generator import leaf_maps, linen, monstera_maps, ornament, parquet, plant  # noqa: E402
-from generator import room, textured_cube  # noqa: E402
+from generator import backdrop, camera, cloth, cushion, cushion_maps, damask  # noqa: E402
+from generator import furniture, hare, leaf_maps, linen, monstera_maps, ornament  # noqa: E402
+from generator import parquet, plant, room, textured_cube  # noqa: E402
 
 MESHES = {
+    "backdrop": backdrop.backdrop,
     "chair": furniture.chair,
     "curtain": cloth.curtain,
     "cushion": cushion.cushion,

@@ -5,7 +5,7 @@ import math
 
 from generator import vectors
 from generator.mesh import Surface
-from generator.surfaces import triangulated
+from generator.surfaces import short_cut
 
 BLOCK = 4  # cells along the side of a block that is skipped or walked as a whole
 EVENINGS = 2  # passes that spread the points evenly
@@ -68,7 +68,7 @@ def surface_net(field, low, high, cell):
     faces = _quads(active, index, value)
     for _ in range(EVENINGS):
         points = _evened(points, faces, field, cell)
-    return triangulated(Surface(points, faces))
+    return short_cut(Surface(points, faces))
 
 
 def _evened(points, faces, field, cell):

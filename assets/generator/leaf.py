@@ -38,4 +38,4 @@ class Card:
             vs = 2 * r / across - 1
             rows.append([self.point(c / along, vs) for c in range(along + 1)])
             uvs.append([(c / along, r / across) for c in range(along + 1)])
-        return surfaces.triangulated(surfaces.grid(rows, uvs=uvs))
+        return surfaces.short_cut(surfaces.grid(rows, uvs=uvs))

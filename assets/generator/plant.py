@@ -42,7 +42,7 @@ def _soil(generator, radius, height):
         for angle in angles:
             y = height + (generator.uniform(-0.003, 0.003) if 0 < r < 7 else 0)
             rows[-1].append((ring * math.cos(angle), y, ring * math.sin(angle)))
-    return surfaces.triangulated(surfaces.grid(rows, wrap_columns=True))
+    return surfaces.short_cut(surfaces.grid(rows, wrap_columns=True))
 
 
 def _stem(mesh, generator, k, count, taken):

@@ -35,13 +35,15 @@ def measured(rows):
     return [[(u, v) for u in us] for v in vs]
 
 
-def triangulated(surface):
-    """The quads of `surface` cut along their shorter diagonals: bent quads may cross themselves."""
+def short_cut(surface):
+    """The quads of `surface` from an end of their shorter diagonal, along which readers cut them.
+
+    Bent quads that are cut along the longer one may cross themselves.
+    """
     faces, points = [], surface.points
     for a, b, c, d in surface.faces:
-        ac = vectors.length(vectors.subtract(points[a], points[c]))
-        bd = vectors.length(vectors.subtract(points[b], points[d]))
-        faces += [[a, b, c], [a, c, d]] if ac < bd else [[a, b, d], [b, c, d]]
+        shorter = math.dist(points[a], points[c]) < math.dist(points[b], points[d])
+        faces.append([a, b, c, d] if shorter else [b, c, d, a])
     return Surface(points, faces, surface.normals, surface.smooth, surface.uvs)
 
 
