@@ -19,16 +19,36 @@ def table_cloth():
     generator = random.Random(11)
     waves = _random_waves(generator, (1, 2, 3, 5), 0.25, 0.6)
     heights = [(n, generator.uniform(0, 2 * math.pi)) for n in (2, 3, 7)]
-    columns, rows_down = 448, 54
-    rows = [[(0.0, TABLE_CLOTH_TOP, 0.0)] * columns]
+    columns, rows_down = 288, 30
+    turns = [c / columns for c in range(columns)] + [0.0]
+    rows, flat = [[(0.0, TABLE_CLOTH_TOP, 0.0)] * len(turns)], [[(0.0, 0.0)] * len(turns)]
     for k in range(1, 5):
-        rows.append([_on_table(c / columns, k / 5 * TABLE_RADIUS) for c in range(columns)])
+        radius = k / 5 * TABLE_RADIUS
+        rows.append([_on_table(turn, radius) for turn in turns])
+        flat.append([_unfolded(turn, radius) for turn in turns])
     for k in range(rows_down + 1):
         t = (k / rows_down) ** 1.25
-        rows.append([_hanging(c / columns, t, waves, heights) for c in range(columns)])
+        rows.append([_hanging(turn, t, waves, heights) for turn in turns])
+        flat.append([_unfolded(turn, _leaves_at() + t * _run(turn)) for turn in turns])
     mesh = Mesh("table_cloth", normals=False)
-    mesh.add("linen", surfaces.grid(rows[::-1], wrap_columns=True))
+    mesh.add("linen", surfaces.grid(rows[::-1], uvs=flat[::-1]))
     return mesh
+
+
+def _leaves_at():
+    """The radius at which the cloth leaves the table's top."""
+    return TABLE_RADIUS - 0.008
+
+
+def _run(turn):
+    """The length of cloth from there to the hem."""
+    c, s = abs(math.cos(2 * math.pi * turn)), abs(math.sin(2 * math.pi * turn))
+    return HALF_SIDE / (c**9 + s**9) ** (1 / 9) - _leaves_at()
+
+
+def _unfolded(turn, radius):
+    """A point of the cloth when it lies flat, in metres: its texture coordinates."""
+    return radius * math.cos(2 * math.pi * turn), radius * math.sin(2 * math.pi * turn)
 
 
 def _random_waves(generator, numbers, low, high):
@@ -49,10 +69,8 @@ def _hanging(turn, t, waves, heights):
     n folds take up the excess with an amplitude of (2 R / n) sqrt(s / R).
     """
     angle = 2 * math.pi * turn
-    c, s = abs(math.cos(angle)), abs(math.sin(angle))
-    reach = HALF_SIDE / (c**9 + s**9) ** (1 / 9)
-    edge, bend = TABLE_RADIUS - 0.008, 0.010
-    run = t * (reach - edge)
+    edge, bend = _leaves_at(), 0.010
+    run = t * _run(turn)
     around = min(run / bend, math.pi / 2)
     drop = bend * (1 - math.cos(around)) + max(run - bend * math.pi / 2, 0)
     radius = edge + bend * math.sin(around)
@@ -72,7 +90,7 @@ def curtain():
     """Hangs in folds along X from 0 to 1, from y = 1 down to 0; scale it to its place."""
     generator = random.Random(5)
     shifts = _random_waves(generator, (1, 2, 4), 0.2, 0.5)
-    columns, rows_up, folds = 320, 36, 8
+    columns, rows_up, folds = 224, 18, 8
     rows = []
     for r in range(rows_up + 1):
         y = r / rows_up
@@ -87,5 +105,5 @@ def curtain():
             row.append((x + 0.012 * math.sin(2 * phase), y, z))
         rows.append(row)
     mesh = Mesh("curtain", normals=False)
-    mesh.add("linen", surfaces.grid(rows))
+    mesh.add("linen", surfaces.grid(rows, uvs=surfaces.measured(rows)))
     return mesh

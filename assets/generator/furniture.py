@@ -1,13 +1,13 @@
-"""A ladder-back chair with a cushion, and a pedestal table."""
+"""A ladder-back chair, and a pedestal table."""
 
 import math
 
 from generator import surfaces, vectors
+from generator.cushion import CUSHION, SEAT, piping
 from generator.mesh import Mesh
 from generator.surfaces import lathe, profile, spline, tube
 from generator.vectors import Frame
 
-SEAT = 0.45  # height of the chair's seat
 TABLE_TOP = 0.745
 TABLE_RADIUS = 0.40
 
@@ -16,16 +16,16 @@ def chair():
     """The chair stands on y = 0 and faces +X."""
     mesh = Mesh("chair")
     front, back, half = 0.19, -0.19, 0.20
-    leg = [(0, 0)] + spline(profile("12,0 14,30 17,120 19,280 19,450"), 6)
+    leg = [(0, 0)] + spline(profile("12,0 14,30 17,120 19,280 19,450"), 4)
     leg += profile("17,454 0,455")
     rake = profile("-30,0 0,220 0,450 -30,750 -85,1020")
     finial = spline(profile("0,0 8,0 14.5,6 16,14 12,24 6,29 0,30"), 3)
     for z in (-half, half):
-        mesh.add("chairwood", lathe(leg, 32), Frame((front, 0, z)))
-        post = spline([(back + x, y, z) for x, y in rake], 8)
-        radii = [0.013 + 0.006 * math.sin(math.pi * min(i / 24, 0.6)) for i in range(len(post))]
-        mesh.add("chairwood", tube(post, radii, 24))
-        mesh.add("chairwood", lathe(finial, 20), Frame(vectors.add(post[-1], (0, -0.003, 0))))
+        mesh.add("chairwood", lathe(leg, 24), Frame((front, 0, z)))
+        post = spline([(back + x, y, z) for x, y in rake], 6)
+        radii = [0.013 + 0.006 * math.sin(math.pi * min(i / 18, 0.6)) for i in range(len(post))]
+        mesh.add("chairwood", tube(post, radii, 16))
+        mesh.add("chairwood", lathe(finial, 16), Frame(vectors.add(post[-1], (0, -0.003, 0))))
     for y, x in ((0.66, back - 0.017), (0.81, back - 0.037), (0.95, back - 0.066)):
         mesh.add("chairwood", _slat(x, y, half))
     for y in (0.14, 0.25):
@@ -33,15 +33,15 @@ def chair():
             mesh.add("chairwood", _rod((back - 0.008, y, z), (front, y, z)))
     for x, y in ((front, 0.19), (front, 0.31), (back - 0.003, 0.22)):
         mesh.add("chairwood", _rod((x, y, -half), (x, y, half)))
-    mesh.add("rush", cushion(0.42, 0.43, 0.022, 0.10), Frame((0, SEAT - 0.012, 0)))
-    mesh.add("cushion", cushion(0.38, 0.38, 0.036, 0.22), Frame((0.012, SEAT + 0.038, 0)))
+    mesh.add("rush", _seat(0.42, 0.43, 0.022, 0.10), Frame((0, SEAT - 0.012, 0)))
+    mesh.add("piping", piping(), Frame(CUSHION))
     return mesh
 
 
 def _rod(start, end):
-    path = [vectors.mix(start, end, k / 8) for k in range(9)]
-    radii = [0.008 + 0.003 * math.sin(math.pi * k / 8) for k in range(9)]
-    return tube(path, radii, 20, (0.1, 1, 0.2))
+    path = [vectors.mix(start, end, k / 6) for k in range(7)]
+    radii = [0.008 + 0.003 * math.sin(math.pi * k / 6) for k in range(7)]
+    return tube(path, radii, 14, (0.1, 1, 0.2))
 
 
 def _slat(x, y, half):
@@ -58,8 +58,8 @@ def _slat(x, y, half):
     return surfaces.grid(rows, wrap_columns=True, smooth=False)
 
 
-def cushion(depth, width, half_thickness, squareness, steps=40):
-    """A pillow about the origin: a rounded rectangle in plan, thickest in the middle."""
+def _seat(depth, width, half_thickness, squareness, steps=16):
+    """A pad about the origin: a rounded rectangle in plan, thickest in the middle."""
     rows = []
     for i in range(steps + 1):
         latitude = math.pi * (i / steps - 0.5)
@@ -81,16 +81,16 @@ def table():
     mesh = Mesh("table")
     edge = profile("-20,-26 -6,-18 -2,-12 0,-8 -2,-3 -5,0")
     rim = [(TABLE_RADIUS + x, TABLE_TOP + y) for x, y in edge]
-    mesh.add("oak", lathe([(0, rim[0][1])] + rim + [(0, rim[-1][1])], 96))
+    mesh.add("oak", lathe([(0, rim[0][1])] + rim + [(0, rim[-1][1])], 64))
     column = profile(
         "0,130 30,132 45,150 48,200 44,235 30,250 34,265 28,280 40,360 46,420 36,530 26,600 "
         "34,615 28,630 34,670 75,705 80,719.5"
     )
-    mesh.add("oak", lathe(spline(column, 6), 56))
+    mesh.add("oak", lathe(spline(column, 3), 32))
     bend = profile("20,190 90,185 180,110 250,45 300,22 335,21")
-    path = spline([(x, y, 0) for x, y in bend], 8)
+    path = spline([(x, y, 0) for x, y in bend], 4)
     radii = [0.026 - 0.006 * i / (len(path) - 1) for i in range(len(path))]
-    foot = tube(path, radii, 32)
+    foot = tube(path, radii, 20)
     for k in range(3):
         mesh.add("oak", foot, vectors.about_y((0, 0, 0), math.radians(120 * k + 75)))
     return mesh

@@ -1,4 +1,7 @@
-"""A sitting hare, cast in one piece: blended ellipsoids and capsules."""
+"""A sitting hare, cast in one piece: blended ellipsoids and capsules.
+
+As glass it is seen through, so the surface is closed, and its points are evenly spread.
+"""
 
 import math
 
@@ -7,9 +10,10 @@ from generator.implicit import blend, capsule, carve, ellipsoid
 from generator.mesh import Mesh
 
 HEIGHT = 0.36  # metres to the tips of the ears; the field below has height 1
-CELL = 0.0106  # of the field; at this size no two sheets of the surface share an edge
+CELL = 0.0078  # of the field; at this size no two sheets of the surface share an edge
 NECK = (0.09, 0.60, 0.0)
 HEAD_TURN = math.radians(-14)
+HEAD = (0.09, 0.82, 0.0), 0.32  # a ball about head and ears
 
 
 def hare():
@@ -17,14 +21,20 @@ def hare():
     surface = implicit.surface_net(_field, (-0.5, -0.06, -0.36), (0.5, 1.1, 0.36), CELL)
     surface.points = [vectors.scale(p, HEIGHT) for p in surface.points]
     mesh = Mesh("hare", normals=False)
-    mesh.add("plaster", surface)
+    mesh.add("hare", surface)
     return mesh
 
 
 def _field(p):
     """Signed distance to the hare, about."""
     mirrored = (p[0], p[1], abs(p[2]))
-    whole = blend(_body(mirrored), _head(p), 0.09)
+    width = 0.09
+    if p[1] > 0.85:
+        whole = _head(p)  # the body is too far to blend with
+    else:
+        whole = _body(mirrored)
+        if math.dist(p, HEAD[0]) - HEAD[1] < whole + width:
+            whole = blend(whole, _head(p), width)
     return -blend(-whole, p[1], 0.012)  # cut flat at y = 0, with a rounded edge
 
 

@@ -1,7 +1,6 @@
-"""The room's fixed parts: floorboards, wainscot, window and a picture frame."""
+"""The room's fixed parts: walls and floor, wainscot, window and a picture frame."""
 
 import math
-import random
 
 from generator import surfaces
 from generator.mesh import Mesh
@@ -9,45 +8,19 @@ from generator.surfaces import box, extrusion, moulding, profile, rectangle
 from generator.vectors import Frame, about_y
 
 LEFT, RIGHT, BACK, NEAR = -1.65, 2.65, -1.70, 4.9  # the walls, metres
-BOARD, GAP = 0.150, 0.0025  # width of a floorboard, and the gap between two
 DADO, CEILING = 0.93, 3.2  # heights of the wainscot and of the room
-WINDOW_Z, WINDOW_Y = (-1.10, 1.00), (1.00, 2.55)
+WINDOW_Z, WINDOW_Y = (-0.75, 0.85), (1.00, 2.60)
 REVEAL = 0.16  # depth of the window's opening
 CHAIR_RAIL = profile("-55,0 -55,16 -48,20 -30,22 -24,26 -18,34 -10,40 -4,42 4,42 7,41 9,38 9,0")
 SKIRTING = profile("0,0 0,24 105,24 110,23 114,18 124,12 130,11 133,8 133,0")
 PANEL = profile("0,0 0,14 3,17 8,18 13,16 18,10 24,5 30,4 32,0")
 
 
-def floorboards():
-    """Boards along Z whose tops are the plane y = 0, in five browns."""
-    generator = random.Random(7)
-    mesh = Mesh("floorboards")
-    x = LEFT - 0.1
-    while x < RIGHT:
-        z = BACK - generator.uniform(0.0, 1.6)
-        while z < NEAR:
-            span = generator.uniform(1.5, 2.6)
-            frame = Frame((x + BOARD / 2, 0, z), (-1, 0, 0))
-            mesh.add(f"board{generator.randrange(5)}", _board(span - GAP), frame)
-            z += span
-        x += BOARD
-    return mesh
-
-
-def _board(span):
-    """The visible sides of a board along -Z whose top is y = 0, with bevelled edges."""
-    edge, bevel, thick = (BOARD - GAP) / 2, 0.0018, 0.02
-    left = [(-edge, -thick), (-edge, -bevel), (bevel - edge, 0)]
-    across = left + [(-x, y) for x, y in left[::-1]]
-    cuts = round(span / surfaces.PIECE)
-    inner = [bevel + (span - 2 * bevel) * k / cuts for k in range(cuts + 1)]
-    along = [(0, -thick), (0, -bevel)] + [(z, 0) for z in inner] + [(span, -bevel), (span, -thick)]
-    rows = [[(x, min(y, top), -z) for x, y in across] for z, top in along]
-    return surfaces.grid(rows, smooth=False)
-
-
 def walls():
-    """Four walls, the left one about the window, the ceiling, and what lies under the boards."""
+    """Four walls, the left one about the window, ceiling and floor; texture coordinates in metres.
+
+    Those of the floor are turned by half a right angle, as a herringbone parquet is laid.
+    """
     mesh = Mesh("walls")
     wide, deep = RIGHT - LEFT, NEAR - BACK
     _wall(mesh, Frame((LEFT, 0, BACK)), wide)
@@ -57,17 +30,21 @@ def walls():
     _wall(mesh, about_y((LEFT, 0, NEAR), math.pi / 2), deep, hole, WINDOW_Y)
     downward = Frame((LEFT, CEILING, BACK), (1, 0, 0), (0, 0, 1))
     mesh.add("ceiling", rectangle(wide, deep), downward)
-    upward = Frame((LEFT - 0.2, -0.02, NEAR), (1, 0, 0), (0, 0, -1))
-    mesh.add("gaps", rectangle(wide + 0.4, deep), upward)
+    floor = rectangle(wide, deep)
+    half = math.sqrt(0.5)
+    floor.uvs = [((u - v) * half, (u + v) * half) for u, v in floor.uvs]
+    mesh.add("floor", floor, Frame((LEFT, 0, NEAR), (1, 0, 0), (0, 0, -1)))
     return mesh
 
 
 def _wall(mesh, frame, span, hole_x=None, hole_y=None):
-    """Panelling colour up to the dado, plaster above, about a hole if there is one."""
+    """Panelling colour up to the dado, wallpaper above, about a hole if there is one."""
 
     def piece(material, x, y):
         place = Frame(frame.point((x[0], y[0], 0)), frame.x, frame.y)
-        mesh.add(material, rectangle(x[1] - x[0], y[1] - y[0]), place)
+        surface = rectangle(x[1] - x[0], y[1] - y[0])
+        surface.uvs = [(u + x[0], v + y[0]) for u, v in surface.uvs]
+        mesh.add(material, surface, place)
 
     piece("panelling", (0, span), (0, DADO))
     if hole_x is None:

@@ -8,8 +8,11 @@ from generator.mesh import Surface
 PIECE = 0.3  # metres that long things are cut into: small boxes make fast bounding volumes
 
 
-def grid(rows, wrap_rows=False, wrap_columns=False, smooth=True):
-    """Quads over rows of points; outside is (along a row) x (to the next row)."""
+def grid(rows, wrap_rows=False, wrap_columns=False, smooth=True, uvs=None):
+    """Quads over rows of points; outside is (along a row) x (to the next row).
+
+    `uvs`, in rows as well, are the points' texture coordinates.
+    """
     count, width = len(rows), len(rows[0])
     faces = []
     for r in range(count if wrap_rows else count - 1):
@@ -17,17 +20,31 @@ def grid(rows, wrap_rows=False, wrap_columns=False, smooth=True):
             here, there = r * width, (r + 1) % count * width
             d = (c + 1) % width
             faces.append([here + c, here + d, there + d, there + c])
-    return Surface([p for row in rows for p in row], faces, smooth=smooth)
+    points = [p for row in rows for p in row]
+    return Surface(points, faces, smooth=smooth, uvs=uvs and [t for row in uvs for t in row])
 
 
-def triangulated(surface):
-    """The quads of `surface` cut along their shorter diagonals: bent quads may cross themselves."""
+def measured(rows):
+    """Texture coordinates in metres: u along the rows, v from row to row, by their mean lengths."""
+    columns = list(zip(*rows))
+    us, vs = [0.0], [0.0]
+    for left, right in zip(columns, columns[1:]):
+        us.append(us[-1] + sum(map(math.dist, left, right)) / len(left))
+    for low, high in zip(rows, rows[1:]):
+        vs.append(vs[-1] + sum(map(math.dist, low, high)) / len(low))
+    return [[(u, v) for u in us] for v in vs]
+
+
+def short_cut(surface):
+    """The quads of `surface` from an end of their shorter diagonal, along which readers cut them.
+
+    Bent quads that are cut along the longer one may cross themselves.
+    """
     faces, points = [], surface.points
     for a, b, c, d in surface.faces:
-        ac = vectors.length(vectors.subtract(points[a], points[c]))
-        bd = vectors.length(vectors.subtract(points[b], points[d]))
-        faces += [[a, b, c], [a, c, d]] if ac < bd else [[a, b, d], [b, c, d]]
-    return Surface(points, faces, surface.normals, surface.smooth)
+        shorter = math.dist(points[a], points[c]) < math.dist(points[b], points[d])
+        faces.append([a, b, c, d] if shorter else [b, c, d, a])
+    return Surface(points, faces, surface.normals, surface.smooth, surface.uvs)
 
 
 def box(size, bevel):
@@ -153,6 +170,9 @@ def extrusion(section, span):
 
 
 def rectangle(width, height):
-    """From (0, 0, 0) to (width, height, 0), in pieces, facing +Z."""
-    count = max(1, round(height / PIECE))
-    return extrusion([(height * k / count, 0) for k in range(count + 1)], width)
+    """From (0, 0, 0) to (width, height, 0), in pieces, facing +Z; texture coordinates in metres."""
+    across, up = (max(1, round(side / PIECE)) for side in (width, height))
+    rows = [
+        [(width * c / across, height * r / up, 0) for c in range(across + 1)] for r in range(up + 1)
+    ]
+    return grid(rows, smooth=False, uvs=[[p[:2] for p in row] for row in rows])
