@@ -42,7 +42,8 @@ TEST_F(SceneMaterials, Nonmetal) {
     EXPECT_EQ(plain.specular, 0.04);
     EXPECT_EQ(plain.normalMap, kNoTexture);
     const Material set = read(
-        R"({"type": "nonmetal", "color": 0.5, "roughness": 1, "specular": 0.08, "masking": "smith"})");
+        R"({"type": "nonmetal", "color": 0.5, "roughness": 1, "specular": 0.08,
+            "masking": "smith"})");
     EXPECT_EQ(set.specular, 0.08);
     EXPECT_EQ(set.masking, Masking::Smith);
 }
