@@ -3,7 +3,6 @@
 #include <cstdio>
 #include <exception>
 #include <functional>
-#include <map>
 #include <new>
 #include <string>
 #include <vector>
@@ -42,6 +41,16 @@ int withExitCode(const std::function<int()>& action) {
     }
 }
 
+/// An option whose text a function of parse_values.h turns into `target`.
+template <typename Target, typename Parse>
+CLI::Option* addParsed(CLI::App& command, const std::string& name, Target& target, Parse parse,
+                       const std::string& description, const std::string& type) {
+    return command
+        .add_option_function<std::string>(
+            name, [&target, parse](const std::string& text) { target = parse(text); }, description)
+        ->type_name(type);
+}
+
 void addSceneOptions(CLI::App& command, SceneOptions& scene) {
     command.add_option("scene", scene.path, "Scene file (JSON), or a model (OBJ) to show")
         ->required()
@@ -57,13 +66,8 @@ void addSceneOptions(CLI::App& command, SceneOptions& scene) {
         ->type_name("/POINTER=VALUE")
         ->expected(1)
         ->take_all();
-    const std::map<std::string, MissingTextures> choices = {{"fail", MissingTextures::Fail},
-                                                            {"warn", MissingTextures::Warn}};
-    command
-        .add_option("--missing-textures", scene.missingTextures,
-                    "Where an image file is missing: fail, or warn and show magenta")
-        ->transform(CLI::Transformer(choices))
-        ->type_name("fail|warn");
+    addParsed(command, "--missing-textures", scene.missingTextures, parseMissingTextures,
+              "Where an image file is missing: fail, or warn and show magenta", "fail|warn");
 }
 
 void addDeviceOptions(CLI::App& command, DeviceOptions& device) {
@@ -74,16 +78,6 @@ void addDeviceOptions(CLI::App& command, DeviceOptions& device) {
     command.add_option("--threads", device.threads, "Threads of lavapipe (default: all cores)")
         ->check(CLI::Range(1, 1024))
         ->type_name("N");
-}
-
-/// An option whose text a function of parse_values.h turns into `target`.
-template <typename Target, typename Parse>
-CLI::Option* addParsed(CLI::App& command, const std::string& name, Target& target, Parse parse,
-                       const std::string& description, const std::string& type) {
-    return command
-        .add_option_function<std::string>(
-            name, [&target, parse](const std::string& text) { target = parse(text); }, description)
-        ->type_name(type);
 }
 
 CLI::App& addRenderCommand(CLI::App& app, RenderOptions& options) {

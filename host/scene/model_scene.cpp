@@ -33,9 +33,9 @@ constexpr uint32_t kMaxBounces = 8; ///< through glass and out again
 constexpr double kLightDistance = 5.0;
 /// Lest the floor coincide with a model's underside.
 constexpr double kFloorGap = 1e-3;
-/// The picture's upper edge looks 5 degrees down, so that the floor fills it at this many times the
-/// camera's distance.
-constexpr double kFloorSize = 40.0;
+/// The picture's upper edge looks 5 degrees down, so that even a very wide one sees no floor beyond
+/// so many times the camera's distance.
+constexpr double kFloorSize = 15.0;
 
 /// Beyond these radii, in metres, squared lengths leave the range of the device's floats.
 constexpr double kSmallestRadius = 1e-12;

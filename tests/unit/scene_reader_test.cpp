@@ -187,7 +187,6 @@ INSTANTIATE_TEST_SUITE_P(
         {"/camera/lens_radius", "0.1", "/camera/lens_radius", "is not supported yet"},
         {"/film/filter", "\"tent\"", "/film/filter", "is not supported yet"},
         {"/background", "[0, 0, 1]", "/background", "is not supported yet"},
-        {"/textures/oak", "{\"type\": \"image\"}", "/textures", "is not supported yet"},
         {"/materials/wall/type", "\"metal\"", "/materials/wall/type", "is not supported yet"},
         {"/materials/wall/type", "\"nonmetal\"", "/materials/wall/type", "is not supported yet"},
         {"/materials/wall/type", "\"blinn_phong\"", "/materials/wall/type", "is not supported yet"},
