@@ -16,13 +16,27 @@ public:
         scene_.render = {16, 0, 0};
     }
 
+    uint32_t material(Material material) {
+        scene_.materials.push_back(std::move(material));
+        return static_cast<uint32_t>(scene_.materials.size() - 1);
+    }
+
     uint32_t material(double albedo, double emission, bool frontOnly = false) {
         Material material;
         material.color = glm::dvec3(albedo);
         material.emission = glm::dvec3(emission);
         material.emitsFromFrontOnly = frontOnly;
-        scene_.materials.push_back(material);
-        return static_cast<uint32_t>(scene_.materials.size() - 1);
+        return this->material(material);
+    }
+
+    uint32_t texture(Texture texture) {
+        scene_.textures.push_back(std::move(texture));
+        return static_cast<uint32_t>(scene_.textures.size() - 1);
+    }
+
+    /// A texture of one colour.
+    uint32_t constantTexture(const glm::dvec3& color) {
+        return texture({"constant", CheckerTexture{{color, color}}});
     }
 
     SceneBuilder& add(Shape shape) {
@@ -40,6 +54,32 @@ public:
         Shape shape;
         shape.geometry = std::move(mesh);
         return add(std::move(shape));
+    }
+
+    /// The rectangle from `corner` along two edges, with texture coordinates from (0, 0) there to
+    /// (1, 1), or from (1, 0) to (0, 1) where they are mirrored.
+    SceneBuilder& rectangle(const glm::dvec3& corner, const glm::dvec3& edgeU,
+                            const glm::dvec3& edgeV, uint32_t material, bool mirroredU = false) {
+        Mesh mesh;
+        mesh.positions = {corner, corner + edgeU, corner + edgeU + edgeV, corner + edgeV};
+        mesh.uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+        for (glm::dvec2& uv : mesh.uvs)
+            uv.x = mirroredU ? 1.0 - uv.x : uv.x;
+        constexpr uint32_t kNo = Mesh::kNoNormal;
+        mesh.triangles = {{{0, 1, 2}, {kNo, kNo, kNo}, material, {0, 1, 2}},
+                          {{0, 2, 3}, {kNo, kNo, kNo}, material, {0, 2, 3}}};
+        Shape shape;
+        shape.geometry = std::move(mesh);
+        return add(std::move(shape));
+    }
+
+    /// Parallel rays along -z onto the square of `side` metres about the origin; x is right, y up.
+    SceneBuilder& lookAtPlaneZ(double side) {
+        scene_.camera = {};
+        scene_.camera.projection = Projection::Orthographic;
+        scene_.camera.position = {0.0, 0.0, 5.0};
+        scene_.camera.viewHeight = side;
+        return *this;
     }
 
     /// Looks straight down from `height` above the origin, at a square of `side` metres on the

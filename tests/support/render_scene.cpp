@@ -27,7 +27,7 @@ RenderedScene renderScene(const Scene& scene, const RenderWish& wish) {
                       settings);
     RenderSession session(tracer, settings, packed.maxRadiance);
     session.run(wish.observer, wish.passSamples);
-    return {session.picture(), session.totals()};
+    return {session.picture(), session.totals(), packed.features};
 }
 
 Scene projectScene(const std::string& path) {

@@ -12,6 +12,7 @@ namespace calotype::test {
 struct RenderedScene {
     Image image;
     RenderTotals totals;
+    SceneFeatures needed; ///< by the scene, whatever the wish
 };
 
 /// How a test wants a scene rendered; what is absent is taken from the scene.

@@ -1,0 +1,169 @@
+// Every material under light from everywhere: what a surface shows is its albedo, by the report's
+// equations integrated in double precision; lossless glass disappears.
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+#include "image/metrics.h"
+#include "image/scene_builder.h"
+#include "support/gpu_test.h"
+#include "support/oracle_bsdf.h"
+#include "support/render_scene.h"
+#include "support/statistics.h"
+#include "support/test_materials.h"
+
+namespace calotype::test {
+namespace {
+
+/// The share of uniform light from all directions that leaves towards wo.
+double albedo(const Material& material, const glm::dvec3& wo) {
+    constexpr int kSteps = 600;
+    double sum = 0.0;
+    for (int i = 0; i < kSteps; ++i)
+        for (int j = 0; j < kSteps; ++j) {
+            const double cosTheta = (i + 0.5) / kSteps;
+            const double phi = 2.0 * std::numbers::pi * (j + 0.5) / kSteps;
+            sum += oracleValue(material, wo, directionAt(cosTheta, phi)).x;
+        }
+    return sum * 2.0 * std::numbers::pi / (kSteps * kSteps);
+}
+
+/// A plane through the origin, tilted about y so that parallel rays along -z meet it at an angle of
+/// the given cosine.
+void addTiltedPlane(SceneBuilder& builder, double cosTheta, uint32_t material) {
+    const glm::dvec3 right(cosTheta, 0.0, -std::sqrt(1.0 - cosTheta * cosTheta));
+    const glm::dvec3 up(0.0, 1.0, 0.0);
+    builder.rectangle(-2.0 * (right + up), 4.0 * right, 4.0 * up, material);
+}
+
+enum class Surroundings { EmittingSphere, Background };
+
+void surround(SceneBuilder& builder, Surroundings surroundings) {
+    if (surroundings == Surroundings::Background) {
+        builder.scene().background = glm::dvec3(1.0);
+        return;
+    }
+    const uint32_t glow = builder.material(0.0, 1.0);
+    builder.add(makeShape(Sphere{{}, 20.0}, glow));
+}
+
+class MaterialTest : public GpuTest {
+protected:
+    void expectAlbedo(const TestMaterial& test, double cosTheta, Surroundings surroundings) {
+        SceneBuilder builder;
+        addTiltedPlane(builder, cosTheta, builder.material(test.material));
+        surround(builder, surroundings);
+        builder.lookAtPlaneZ(0.1);
+        Scene& scene = builder.scene();
+        scene.film = {32, 32};
+        scene.render = {32, 1, 0};
+        std::vector<double> means;
+        for (uint32_t seed = 0; seed < 8; ++seed) {
+            scene.render.seed = seed;
+            means.push_back(imageMean(renderScene(scene).image).x);
+        }
+        const Estimate seen = estimate(means);
+        const double wanted = albedo(test.material, directionAt(cosTheta, 0.0));
+        EXPECT_NEAR(seen.mean, wanted, 4.0 * seen.standardError + 0.002 * wanted)
+            << test.name << ", cosine " << cosTheta;
+    }
+};
+
+TEST_F(MaterialTest, ShowsItsAlbedoInAnEmittingSphere) {
+    for (const TestMaterial& test : testMaterials()) {
+        if (test.lobeWidth < 0.05) // too narrow for the sum above
+            continue;
+        for (const double cosTheta : {0.95, 0.3})
+            expectAlbedo(test, cosTheta, Surroundings::EmittingSphere);
+    }
+}
+
+TEST_F(MaterialTest, ShowsItsAlbedoUnderABackground) {
+    for (const TestMaterial& test : testMaterials()) {
+        if (test.lobeWidth < 0.3 || test.material.masking == Masking::Smith)
+            continue;
+        expectAlbedo(test, 0.6, Surroundings::Background);
+    }
+}
+
+// Light that enters glass leaves it in the end, undiminished: the object is not to be seen.
+void expectInvisible(Shape shape, Surroundings surroundings) {
+    SceneBuilder builder;
+    Material glass;
+    glass.type = MaterialType::Dielectric;
+    glass.color = glm::dvec3(1.0);
+    glass.ior = 1.5;
+    shape.material = builder.material(glass);
+    if (auto* mesh = std::get_if<Mesh>(&shape.geometry))
+        for (Mesh::Triangle& triangle : mesh->triangles)
+            triangle.material = shape.material;
+    builder.add(std::move(shape));
+    surround(builder, surroundings);
+    builder.lookAtPlaneZ(2.2);
+    Scene& scene = builder.scene();
+    scene.film = {48, 48};
+    scene.render = {32, 200, 3};
+    const RenderedScene result = renderScene(scene);
+    EXPECT_NEAR(imageMean(result.image).x, 1.0, 0.001);
+    for (const glm::vec3& pixel : result.image.pixels)
+        EXPECT_NEAR(pixel.x, 1.0, 0.04); // a path in 32, at most, is trapped for 200 events
+    EXPECT_EQ(result.totals.nonFiniteSamples, 0u);
+}
+
+TEST_F(MaterialTest, GlassSphereDisappears) {
+    expectInvisible(makeShape(Sphere{{}, 0.9}, 0), Surroundings::EmittingSphere);
+    expectInvisible(makeShape(Sphere{{}, 0.9}, 0), Surroundings::Background);
+}
+
+TEST_F(MaterialTest, GlassCylinderDisappears) {
+    const RigidTransform tilted{glm::dmat3(0.8, 0.6, 0.0, -0.6, 0.8, 0.0, 0.0, 0.0, 1.0), {}};
+    expectInvisible(makeShape(Cylinder{tilted, 0.4, 1.2}, 0), Surroundings::EmittingSphere);
+}
+
+TEST_F(MaterialTest, GlassConeDisappears) {
+    const RigidTransform raised{glm::dmat3(1.0), {0.0, 0.8, 0.0}};
+    expectInvisible(makeShape(Cone{raised, -1.6, 0.5}, 0), Surroundings::EmittingSphere);
+}
+
+TEST_F(MaterialTest, GlassMeshOfSmoothNormalsDisappears) {
+    Scene cube = projectScene("scenes/mesh.json");
+    for (Shape& shape : cube.shapes)
+        if (auto* mesh = std::get_if<Mesh>(&shape.geometry); mesh && mesh->triangles.size() == 12) {
+            glm::dvec3 center(0.0);
+            for (const glm::dvec3& p : mesh->positions)
+                center += p / static_cast<double>(mesh->positions.size());
+            mesh->normals.clear();
+            for (glm::dvec3& p : mesh->positions) {
+                p -= center;
+                mesh->normals.push_back(glm::normalize(p));
+            }
+            for (Mesh::Triangle& triangle : mesh->triangles)
+                std::copy_n(triangle.position, 3, triangle.normal);
+            expectInvisible(shape, Surroundings::EmittingSphere);
+            return;
+        }
+    FAIL() << "scenes/mesh.json has no cube";
+}
+
+// Glass tints each crossing; a slab is crossed twice, but for what is reflected inside.
+TEST_F(MaterialTest, TintColoursEachCrossing) {
+    SceneBuilder builder;
+    Material glass;
+    glass.type = MaterialType::Dielectric;
+    glass.color = {1.0, 0.5, 0.25};
+    glass.ior = 1.0; // nothing is reflected, so every path crosses twice
+    builder.add(makeShape(Sphere{{}, 0.9}, builder.material(glass)));
+    surround(builder, Surroundings::EmittingSphere);
+    builder.lookAtPlaneZ(0.5);
+    Scene& scene = builder.scene();
+    scene.render = {16, 8, 0};
+    for (const glm::vec3& pixel : renderScene(scene).image.pixels) {
+        EXPECT_NEAR(pixel.x, 1.0, 1e-5);
+        EXPECT_NEAR(pixel.y, 0.25, 1e-5);
+        EXPECT_NEAR(pixel.z, 0.0625, 1e-5);
+    }
+}
+
+} // namespace
+} // namespace calotype::test

@@ -1,0 +1,93 @@
+// The shadow terminator: a coarse ball with smooth normals is lit as the ball that it stands for.
+#include <algorithm>
+#include <array>
+
+#include <glm/geometric.hpp>
+
+#include "image/scene_builder.h"
+#include "support/gpu_test.h"
+#include "support/render_scene.h"
+
+namespace calotype::test {
+namespace {
+
+/// An octahedron whose triangles were split `levels` times, on the unit sphere.
+Mesh coarseBall(int levels, bool smooth) {
+    Mesh mesh;
+    using Corners = std::array<glm::dvec3, 3>;
+    std::vector<Corners> triangles;
+    for (const double x : {1.0, -1.0})
+        for (const double y : {1.0, -1.0})
+            for (const double z : {1.0, -1.0}) {
+                Corners corners = {glm::dvec3(x, 0, 0), glm::dvec3(0, y, 0), glm::dvec3(0, 0, z)};
+                if (x * y * z < 0.0)
+                    std::swap(corners[1], corners[2]);
+                triangles.push_back(corners);
+            }
+    for (int level = 0; level < levels; ++level) {
+        std::vector<Corners> finer;
+        for (const auto& [a, b, c] : triangles) {
+            const glm::dvec3 ab = glm::normalize(a + b);
+            const glm::dvec3 bc = glm::normalize(b + c);
+            const glm::dvec3 ca = glm::normalize(c + a);
+            finer.insert(finer.end(), {Corners{a, ab, ca}, Corners{ab, b, bc}, Corners{ca, bc, c},
+                                       Corners{ab, bc, ca}});
+        }
+        triangles = std::move(finer);
+    }
+    for (const Corners& corners : triangles) {
+        const auto first = static_cast<uint32_t>(mesh.positions.size());
+        mesh.positions.insert(mesh.positions.end(), corners.begin(), corners.end());
+        mesh.normals.insert(mesh.normals.end(), corners.begin(), corners.end());
+        Mesh::Triangle triangle{{first, first + 1, first + 2}, {first, first + 1, first + 2}, 0};
+        if (!smooth)
+            std::fill_n(triangle.normal, 3, Mesh::kNoNormal);
+        mesh.triangles.push_back(triangle);
+    }
+    return mesh;
+}
+
+/// The ball lit from the right by a small far lamp, seen by parallel rays.
+Image litBall(Shape ball) {
+    SceneBuilder builder;
+    builder.material(0.8, 0.0);
+    const uint32_t lamp = builder.material(0.0, 1e5, true);
+    builder.rectangle({50.0, -0.5, -0.5}, {0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}, lamp);
+    builder.add(std::move(ball));
+    builder.lookAtPlaneZ(2.1);
+    Scene& scene = builder.scene();
+    scene.film = {96, 96};
+    scene.render = {16, 1, 0};
+    return renderScene(scene).image;
+}
+
+class TerminatorTest : public GpuTest {};
+
+// Pixels that are black on the mesh where the ball has a tenth of its brightest light or more:
+// whole steps of triangles without the curved patch, next to none with it.
+TEST_F(TerminatorTest, CoarseMeshIsLitLikeTheBallItStandsFor) {
+    const Image ball = litBall(makeShape(Sphere{{}, 1.0}, 0));
+    float brightest = 0.0f;
+    for (const glm::vec3& pixel : ball.pixels)
+        brightest = std::max(brightest, pixel.x);
+    for (const int levels : {2, 3}) {
+        const Image mesh = litBall(makeShape(coarseBall(levels, true), 0));
+        size_t lit = 0;
+        size_t dark = 0;
+        for (uint32_t y = 0; y < ball.height; ++y)
+            for (uint32_t x = 0; x < ball.width; ++x) {
+                const double u = (x + 0.5) / ball.width * 2.1 - 1.05;
+                const double v = (y + 0.5) / ball.height * 2.1 - 1.05;
+                const bool nearOutline = u * u + v * v > 0.75; // there the meshes' shapes differ
+                if (nearOutline || ball.at(x, y).x < 0.1f * brightest)
+                    continue;
+                ++lit;
+                dark += mesh.at(x, y).x < 0.5f * ball.at(x, y).x ? 1 : 0;
+            }
+        EXPECT_GT(lit, 1000u);
+        EXPECT_LT(dark, lit / 200) << levels << " levels";
+    }
+}
+
+} // namespace
+} // namespace calotype::test

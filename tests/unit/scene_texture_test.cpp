@@ -1,0 +1,198 @@
+// Textures of the scene file, and how their files are found.
+
+#include <filesystem>
+
+#include "scene/find_file.h"
+#include "unit/image_files.h"
+#include "unit/scene_files.h"
+
+namespace calotype::test {
+namespace {
+
+nlohmann::json sceneWithTexture(const std::string& texture) {
+    nlohmann::json scene = plainScene();
+    scene["textures"]["t"] = nlohmann::json::parse(texture);
+    return scene;
+}
+
+class SceneTexture : public testing::Test {
+protected:
+    SceneTexture() { files_.write("red.png", pngOf({255, 0, 0, 255})); }
+
+    Texture load(const std::string& texture) {
+        return files_.load(sceneWithTexture(texture)).textures.at(0);
+    }
+    ImageTexture loadImage(const std::string& texture) {
+        return std::get<ImageTexture>(load(texture).source);
+    }
+    SceneError errorOfLoading(const std::string& texture) {
+        return errorOf([&] { load(texture); });
+    }
+
+    SceneFiles files_;
+};
+
+TEST_F(SceneTexture, ImagesHaveTheFormatsDefaults) {
+    const Texture texture = load(R"({"type": "image", "file": "red.png"})");
+    const auto image = std::get<ImageTexture>(texture.source);
+    EXPECT_EQ(texture.name, "t");
+    EXPECT_EQ(texture.scale, glm::dvec2(1.0));
+    EXPECT_EQ(texture.offset, glm::dvec2(0.0));
+    EXPECT_EQ(image.wrap, TextureWrap::Repeat);
+    EXPECT_EQ(image.filter, TextureFilter::Bilinear);
+    EXPECT_TRUE(image.decodesColor);
+    ASSERT_EQ(image.image->bytes.size(), 16u);
+    EXPECT_EQ(image.image->bytes[0], 255);
+    EXPECT_EQ(image.image->bytes[1], 0);
+}
+
+TEST_F(SceneTexture, ImagesTakeEveryKey) {
+    const std::string text = R"({"type": "image", "file": "red.png", "wrap": "mirror",
+        "filter": "nearest", "color_space": "linear", "scale": [2, 0.5]})";
+    const ImageTexture image = loadImage(text);
+    EXPECT_EQ(image.wrap, TextureWrap::Mirror);
+    EXPECT_EQ(image.filter, TextureFilter::Nearest);
+    EXPECT_FALSE(image.decodesColor);
+    EXPECT_EQ(load(text).scale, glm::dvec2(2.0, 0.5));
+    EXPECT_EQ(loadImage(R"({"type": "image", "file": "red.png", "wrap": "clamp"})").wrap,
+              TextureWrap::Clamp);
+    EXPECT_TRUE(
+        loadImage(R"({"type": "image", "file": "red.png", "color_space": "srgb"})").decodesColor);
+}
+
+TEST_F(SceneTexture, CheckersHaveTwoColoursAndAScale) {
+    const Texture texture =
+        load(R"({"type": "checker", "colors": [0.8, [0, 0.5, 1]], "scale": [8, 4]})");
+    const auto checker = std::get<CheckerTexture>(texture.source);
+    EXPECT_EQ(checker.colors[0], glm::dvec3(0.8));
+    EXPECT_EQ(checker.colors[1], glm::dvec3(0.0, 0.5, 1.0));
+    EXPECT_EQ(texture.scale, glm::dvec2(8.0, 4.0));
+}
+
+TEST_F(SceneTexture, MistakesNameTheirPlace) {
+    expectError(errorOfLoading(R"({"type": "picture"})"), "scene.json: /textures/t/type",
+                "\"image\", \"checker\"");
+    expectError(errorOfLoading(R"({"type": "image"})"), "scene.json: /textures/t",
+                "lacks \"file\"");
+    expectError(errorOfLoading(R"({"type": "image", "file": "red.png", "warp": "clamp"})"),
+                "scene.json: /textures/t/warp", "did you mean \"wrap\"?");
+    expectError(errorOfLoading(R"({"type": "checker", "colors": [1, 0], "wrap": "clamp"})"),
+                "scene.json: /textures/t/wrap", "unknown key");
+    expectError(errorOfLoading(R"({"type": "checker", "colors": [1, 2]})"),
+                "scene.json: /textures/t/colors/1", "in [0, 1]");
+    expectError(errorOfLoading(R"({"type": "checker", "colors": [1, 0], "scale": [1, 0]})"),
+                "scene.json: /textures/t/scale/1", "greater than 0");
+    expectError(errorOfLoading(R"({"type": "checker", "colors": [1, 0], "scale": 2})"),
+                "scene.json: /textures/t/scale", "an array of 2");
+}
+
+TEST_F(SceneTexture, MissingFilesAreErrorsThatHelp) {
+    const SceneError error = errorOfLoading(R"({"type": "image", "file": "rad.png"})");
+    expectError(error, "scene.json: /textures/t/file", "\"rad.png\"; did you mean \"red.png\"?");
+    expectError(error, "scene.json: /textures/t/file", "--missing-textures warn");
+    std::filesystem::create_directories(files_.path("maps"));
+    files_.write("maps/stone.png", pngOf({1, 2, 3, 255}));
+    expectError(errorOfLoading(R"({"type": "image", "file": "maps/stine.png"})"),
+                "scene.json: /textures/t/file", "did you mean \"maps/stone.png\"?");
+}
+
+TEST_F(SceneTexture, MissingFilesMayBeMagenta) {
+    LoadOptions options;
+    options.missingTextures = MissingTextures::Warn;
+    const Scene scene =
+        files_.load(sceneWithTexture(R"({"type": "image", "file": "none.png"})"), options);
+    const auto& image = *std::get<ImageTexture>(scene.textures.at(0).source).image;
+    EXPECT_EQ(image.bytes, (std::vector<uint8_t>{255, 0, 255, 255}));
+    EXPECT_EQ(image.texelCount(), 1u);
+    ASSERT_FALSE(scene.warnings.empty());
+    EXPECT_NE(scene.warnings[0].find("/textures/t/file: there is no image file \"none.png\""),
+              std::string::npos)
+        << scene.warnings[0];
+}
+
+TEST_F(SceneTexture, CorruptFilesAreErrorsInAnyCase) {
+    files_.write("bad.png", pngOf({1, 2, 3, 255}).substr(0, 50));
+    LoadOptions options;
+    options.missingTextures = MissingTextures::Warn;
+    const SceneError error = errorOf(
+        [&] { files_.load(sceneWithTexture(R"({"type": "image", "file": "bad.png"})"), options); });
+    expectError(error, "bad.png", "incomplete");
+}
+
+TEST_F(SceneTexture, EachFileIsReadOnce) {
+    nlohmann::json scene = plainScene();
+    scene["textures"]["a"] = {{"type", "image"}, {"file", "red.png"}};
+    scene["textures"]["b"] = {{"type", "image"}, {"file", "RED.png"}, {"wrap", "clamp"}};
+    const Scene loaded = files_.load(scene);
+    EXPECT_EQ(std::get<ImageTexture>(loaded.textures.at(0).source).image,
+              std::get<ImageTexture>(loaded.textures.at(1).source).image);
+}
+
+TEST_F(SceneTexture, TheirContentIsInTheHash) {
+    const std::string texture = R"({"type": "image", "file": "red.png"})";
+    const uint64_t before = files_.load(sceneWithTexture(texture)).hash;
+    EXPECT_EQ(files_.load(sceneWithTexture(texture)).hash, before);
+    files_.write("red.png", pngOf({254, 0, 0, 255}));
+    EXPECT_NE(files_.load(sceneWithTexture(texture)).hash, before);
+}
+
+class FindFile : public testing::Test {
+protected:
+    FindFile() {
+        std::filesystem::create_directories(files_.path("Textures/Old Wood"));
+        for (const char* name : {"Textures/Old Wood/Oak 1.PNG", "a.png", "A.png", "b.Png"})
+            files_.write(name, "");
+    }
+
+    /// What is found, relative to the folder; empty for nothing.
+    std::string find(const std::string& name) {
+        const auto found = findFile(files_.path(""), name);
+        return found ? std::filesystem::relative(*found, files_.path("")).string() : "";
+    }
+
+    SceneFiles files_;
+};
+
+TEST_F(FindFile, InAnyCaseAndWithAnySlash) {
+    const std::string oak = "Textures/Old Wood/Oak 1.PNG";
+    for (const char* name : {"Textures/Old Wood/Oak 1.PNG", "textures/old wood/oak 1.png",
+                             "TEXTURES\\Old Wood\\OAK 1.png", "textures\\\\old wood\\\\oak 1.png",
+                             ".\\Textures/../Textures/Old Wood//Oak 1.PNG"})
+        EXPECT_EQ(find(name), oak) << name;
+    EXPECT_EQ(find("a.png"), "a.png");
+    EXPECT_EQ(find("A.png"), "A.png");
+    EXPECT_EQ(find("A.PNG"), "A.png"); // the first in order
+    EXPECT_EQ(find("B.PNG"), "b.Png");
+    for (const char* name :
+         {"", ".", "Textures", "Textures/", "c.png", "a.png/", "a.png/b.png", "../a.png/a.png"})
+        EXPECT_EQ(find(name), "") << name;
+}
+
+TEST_F(FindFile, AbsolutePathsOfOtherMachinesEndHere) {
+    EXPECT_EQ(find("C:\\Users\\me\\a.png"), "a.png");
+    EXPECT_EQ(find("d:/work/textures/old wood/oak 1.png"), "Textures/Old Wood/Oak 1.PNG");
+    EXPECT_EQ(find("\\\\server\\share\\B.png"), "b.Png");
+    EXPECT_EQ(find("/no/such/folder/a.png"), "a.png");
+    EXPECT_EQ(find("C:\\Users\\me\\c.png"), "");
+    EXPECT_EQ(find(files_.path("a.png")), "a.png");
+}
+
+TEST_F(FindFile, FoldersThatDifferInCaseAreBothSearched) {
+    std::filesystem::create_directories(files_.path("textures"));
+    EXPECT_EQ(find("textures/old wood/oak 1.png"), "Textures/Old Wood/Oak 1.PNG");
+}
+
+TEST_F(FindFile, OddNamesTakeBoundedTime) {
+    std::string deep;
+    for (int i = 0; i < 500'000; ++i)
+        deep += "/a";
+    EXPECT_LT(processorSeconds([&] {
+                  for (const std::string& name : {deep, "." + deep, std::string(1'000'000, '/'),
+                                                  std::string(1'000'000, 'x'), "C:" + deep})
+                      EXPECT_EQ(find(name), "");
+              }),
+              1.0);
+}
+
+} // namespace
+} // namespace calotype::test
