@@ -41,8 +41,20 @@ int withExitCode(const std::function<int()>& action) {
     }
 }
 
+/// An option whose text a function of parse_values.h turns into `target`.
+template <typename Target, typename Parse>
+CLI::Option* addParsed(CLI::App& command, const std::string& name, Target& target, Parse parse,
+                       const std::string& description, const std::string& type) {
+    return command
+        .add_option_function<std::string>(
+            name, [&target, parse](const std::string& text) { target = parse(text); }, description)
+        ->type_name(type);
+}
+
 void addSceneOptions(CLI::App& command, SceneOptions& scene) {
-    command.add_option("scene", scene.path, "Scene file (JSON)")->required()->type_name("SCENE");
+    command.add_option("scene", scene.path, "Scene file (JSON), or a model (OBJ) to show")
+        ->required()
+        ->type_name("SCENE");
     command
         .add_option_function<std::vector<std::string>>(
             "--set",
@@ -54,6 +66,8 @@ void addSceneOptions(CLI::App& command, SceneOptions& scene) {
         ->type_name("/POINTER=VALUE")
         ->expected(1)
         ->take_all();
+    addParsed(command, "--missing-textures", scene.missingTextures, parseMissingTextures,
+              "Where an image file is missing: fail, or warn and show magenta", "fail|warn");
 }
 
 void addDeviceOptions(CLI::App& command, DeviceOptions& device) {
@@ -64,16 +78,6 @@ void addDeviceOptions(CLI::App& command, DeviceOptions& device) {
     command.add_option("--threads", device.threads, "Threads of lavapipe (default: all cores)")
         ->check(CLI::Range(1, 1024))
         ->type_name("N");
-}
-
-/// An option whose text a function of parse_values.h turns into `target`.
-template <typename Target, typename Parse>
-CLI::Option* addParsed(CLI::App& command, const std::string& name, Target& target, Parse parse,
-                       const std::string& description, const std::string& type) {
-    return command
-        .add_option_function<std::string>(
-            name, [&target, parse](const std::string& text) { target = parse(text); }, description)
-        ->type_name(type);
 }
 
 CLI::App& addRenderCommand(CLI::App& app, RenderOptions& options) {

@@ -68,6 +68,7 @@ void printFeatures(const SceneFeatures& features) {
 int infoCommand(const InfoOptions& options) {
     LoadOptions loadOptions;
     loadOptions.overrides = options.scene.overrides;
+    loadOptions.missingTextures = options.scene.missingTextures;
     const Scene scene = loadScene(options.scene.path, loadOptions);
     for (const std::string& warning : scene.warnings)
         std::fprintf(stderr, "calotype: warning: %s\n", warning.c_str());

@@ -31,6 +31,7 @@ struct DeviceOptions {
 struct SceneOptions {
     std::string path;
     std::vector<SceneOverride> overrides;
+    MissingTextures missingTextures = MissingTextures::Fail;
 };
 
 struct RenderOptions {

@@ -81,6 +81,12 @@ SceneOverride parseOverride(const std::string& text) {
     return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
+MissingTextures parseMissingTextures(const std::string& text) {
+    if (text != "fail" && text != "warn")
+        fail("--missing-textures", text, "fail or warn");
+    return text == "warn" ? MissingTextures::Warn : MissingTextures::Fail;
+}
+
 ToneMap parseToneMap(const std::string& text) {
     const auto toneMap = toneMapFromName(text);
     if (!toneMap)

@@ -12,6 +12,7 @@ PictureSize parseSize(const std::string& text);                ///< --size "640x
 Crop parseCrop(const std::string& text);                       ///< --crop "X,Y,W,H"
 PreviewInterval parsePreviewInterval(const std::string& text); ///< --preview-every "16" or "10s"
 SceneOverride parseOverride(const std::string& text);          ///< --set "/pointer=value"
+MissingTextures parseMissingTextures(const std::string& text); ///< --missing-textures
 ToneMap parseToneMap(const std::string& text);                 ///< --tonemap
 float parseExposure(const std::string& text);                  ///< --exposure "-1.5", in stops
 

@@ -126,6 +126,7 @@ private:
     Scene load(Progress& progress) {
         LoadOptions loadOptions;
         loadOptions.overrides = options_.scene.overrides;
+        loadOptions.missingTextures = options_.scene.missingTextures;
         loadOptions.onProgress = [&](const std::string& what, double done) {
             throwIfInterrupted();
             progress.step("loading " + what, done);

@@ -3,10 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+
+#include <glm/geometric.hpp>
 
 #include "base/check.h"
 #include "base/error.h"
 #include "pack/alias_table.h"
+#include "pack/filter_table.h"
+#include "pack/pack_camera.h"
+#include "pack/pack_material.h"
 #include "pack/pack_shapes.h"
 
 namespace calotype {
@@ -17,12 +23,12 @@ double luminance(const glm::dvec3& rgb) { return 0.2126 * rgb.x + 0.7152 * rgb.y
 double maxComponent(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
 /// Radiance that float holds with room for sums and products.
-void requireFloatRange(const Material& material) {
+void requireFloatRange(const glm::dvec3& radiance, const std::string& place) {
     constexpr double kFaintest = 1e-30;
     constexpr double kBrightest = 1e30;
-    const double radiance = maxComponent(material.emission);
-    if (radiance > kBrightest || (radiance > 0.0 && radiance < kFaintest))
-        throw SceneError("material '" + material.name + "'",
+    const double largest = maxComponent(radiance);
+    if (largest > kBrightest || (largest > 0.0 && largest < kFaintest))
+        throw SceneError(place,
                          "emits a radiance that is neither 0 nor from 1e-30 to 1e30 W/(m^2 sr)");
 }
 
@@ -38,17 +44,21 @@ class ScenePacker {
 public:
     ScenePacker(const Scene& scene, std::span<const Primitive> primitives, const Bvh& bvh,
                 const glm::dvec3& origin)
-        : scene_(scene), primitives_(primitives), bvh_(bvh) {
+        : scene_(scene), primitives_(primitives), bvh_(bvh), textures_(scene.textures) {
         packed_.origin = origin;
+        packed_.materials.resize(scene.materials.size());
+        isPacked_.resize(scene.materials.size());
     }
 
     GpuScene pack(double aspectRatio) {
         requireIndexable(bvh_.nodes.size(), primitives_.size());
         packPrimitives();
         packNodes();
-        packMaterials();
+        packed_.textures = textures_.takePacked();
+        packed_.texelRows = textures_.takeTexelRows();
+        addBackground();
         finishLights();
-        packCamera(aspectRatio);
+        packView(aspectRatio);
         fillEmptyArrays();
         return std::move(packed_);
     }
@@ -60,13 +70,18 @@ private:
         names_.reserve(bvh_.order.size());
         const bool smooth = anyTriangleHasNormals();
         enable(gpu::kFeatureSmoothNormals, smooth);
+        packMaterials();
+        const bool textured =
+            std::any_of(std::begin(kTextureSlots), std::end(kTextureSlots),
+                        [&](uint32_t slot) { return packed_.features.enabled[slot]; });
         for (const uint32_t number : bvh_.order) {
             const Primitive& primitive = primitives_[number];
             const Shape& shape = scene_.shapes[primitive.shape];
             if (primitive.kind == PrimitiveKind::Quadric)
                 addQuadric(shape, number);
             else
-                addTriangle(std::get<Mesh>(shape.geometry), primitive.triangle, number, smooth);
+                addTriangle(std::get<Mesh>(shape.geometry), primitive.triangle, number, smooth,
+                            textured);
         }
     }
 
@@ -77,15 +92,19 @@ private:
         });
     }
 
-    void addTriangle(const Mesh& mesh, uint32_t index, uint32_t number, bool smooth) {
+    void addTriangle(const Mesh& mesh, uint32_t index, uint32_t number, bool smooth,
+                     bool textured) {
         const auto name = static_cast<uint32_t>(packed_.triangles.size());
         gpu::Triangle triangle = packTriangle(mesh, index, packed_.origin, number);
         triangle.light = addLight(triangle.material, name, areaOf(triangle));
+        triangle.material |= transparentBit(triangle.material);
         enable(gpu::kFeatureTriangles, true);
         enable(gpu::kFeatureTriangleLights, triangle.light != gpu::kNone);
         packed_.triangles.push_back(triangle);
         if (smooth)
             packed_.triangleNormals.push_back(packTriangleNormals(mesh, index));
+        if (textured)
+            packed_.triangleUvs.push_back(packTriangleUvs(mesh, index));
         names_.push_back(name);
     }
 
@@ -93,6 +112,7 @@ private:
         const auto name = static_cast<uint32_t>(packed_.quadrics.size()) | gpu::kQuadricBit;
         gpu::Quadric quadric = packQuadric(shape, packed_.origin, number);
         quadric.light = addLight(quadric.material, name, areaOf(quadric));
+        quadric.material |= transparentBit(quadric.material);
         enable(gpu::kFeatureSpheres + quadric.kind, true);
         enable(gpu::kFeatureSphereLights + quadric.kind, quadric.light != gpu::kNone);
         packed_.quadrics.push_back(quadric);
@@ -106,7 +126,7 @@ private:
         const bool shines = maxComponent(material.emission) > 0.0 && area > 0.0;
         if (!shines && material.visibleToCamera)
             return gpu::kNone;
-        requireFloatRange(material);
+        requireFloatRange(material.emission, "material '" + material.name + "'");
         gpu::Light light{};
         light.radiance = glm::vec3(material.emission);
         light.primitive = primitive;
@@ -129,9 +149,46 @@ private:
                                      node.bounds.upper, node.count});
     }
 
+    /// Materials that something bears. What others would need of the kernel is left out.
     void packMaterials() {
-        for (const Material& material : scene_.materials)
-            packed_.materials.push_back({glm::vec3(material.color), 0});
+        for (const Primitive& primitive : primitives_) {
+            const Shape& shape = scene_.shapes[primitive.shape];
+            const Mesh* mesh = std::get_if<Mesh>(&shape.geometry);
+            const uint32_t index =
+                mesh ? mesh->triangles[primitive.triangle].material : shape.material;
+            if (isPacked_[index])
+                continue;
+            isPacked_[index] = true;
+            packed_.materials[index] =
+                packMaterial(scene_.materials[index], scene_.textures, textures_, packed_.features);
+        }
+    }
+
+    uint32_t transparentBit(uint32_t material) const {
+        return isTransparent(scene_.materials[material]) ? gpu::kTransparentBit : 0;
+    }
+
+    /// The background sends its radiance through the sphere about the scene. It is chosen half of
+    /// the times at most, however far the scene's ground reaches: a ray that leaves the surface in
+    /// any direction finds it too.
+    void addBackground() {
+        const double radiance = maxComponent(scene_.background);
+        if (radiance == 0.0)
+            return;
+        requireFloatRange(scene_.background, "/background");
+        const Bounds3d bounds = sceneBounds(scene_);
+        const double radius = bounds.isEmpty() ? 1.0 : 0.5 * glm::length(bounds.extent());
+        const double area = 4.0 * std::numbers::pi * radius * radius;
+        const double others = std::accumulate(powers_.begin(), powers_.end(), 0.0);
+        const double power = luminance(scene_.background) * area;
+        powers_.push_back(others > 0.0 ? std::min(power, others) : power);
+        gpu::Light light{};
+        light.radiance = glm::vec3(scene_.background);
+        light.primitive = gpu::kBackground;
+        packed_.lights.push_back(light);
+        packed_.lightCount++;
+        packed_.maxRadiance = std::max(packed_.maxRadiance, radiance);
+        enable(gpu::kFeatureBackground, true);
     }
 
     void finishLights() {
@@ -143,13 +200,14 @@ private:
         }
     }
 
-    void packCamera(double aspectRatio) {
+    void packView(double aspectRatio) {
         const Camera& camera = scene_.camera;
-        const double tangent = std::tan(0.5 * camera.verticalFov);
-        packed_.camera.position = packPosition(camera.position, packed_.origin);
-        packed_.camera.right = glm::vec3(camera.right * (tangent * aspectRatio));
-        packed_.camera.up = glm::vec3(camera.up * tangent);
-        packed_.camera.forward = glm::vec3(camera.forward);
+        const FilmFilter filter = scene_.film.filter;
+        packed_.camera = packCamera(camera, filter, packed_.origin, aspectRatio);
+        packed_.filterQuantiles = filterQuantiles(filter);
+        enable(gpu::kFeatureFilter, filter != FilmFilter::Box);
+        enable(gpu::kFeatureLens, camera.lensRadius > 0.0);
+        enable(gpu::kFeatureOrthographic, camera.projection == Projection::Orthographic);
     }
 
     /// Buffers of no size do not exist. An empty scene is one triangle without area, which no ray
@@ -165,8 +223,11 @@ private:
         };
         fill(packed_.triangles);
         fill(packed_.triangleNormals);
+        fill(packed_.triangleUvs);
         fill(packed_.quadrics);
         fill(packed_.materials);
+        fill(packed_.textures);
+        fill(packed_.texelRows);
         fill(packed_.lights);
     }
 
@@ -174,10 +235,16 @@ private:
         packed_.features.enabled[feature] = packed_.features.enabled[feature] || needed;
     }
 
+    static constexpr uint32_t kTextureSlots[] = {gpu::kFeatureColorTextures,
+                                                 gpu::kFeatureScalarTextures,
+                                                 gpu::kFeatureNormalMaps, gpu::kFeatureAlpha};
+
     const Scene& scene_;
     std::span<const Primitive> primitives_;
     const Bvh& bvh_;
+    TexturePacker textures_;
     GpuScene packed_;
+    std::vector<bool> isPacked_;  ///< by material
     std::vector<uint32_t> names_; ///< by place in the leaves' order: index, with kQuadricBit
     std::vector<double> powers_;  ///< by light, up to a common factor
 };
@@ -190,8 +257,9 @@ size_t bytesOf(const std::vector<T>& array) {
 } // namespace
 
 size_t GpuScene::bytes() const {
-    return bytesOf(nodes) + bytesOf(triangles) + bytesOf(triangleNormals) + bytesOf(quadrics) +
-           bytesOf(materials) + bytesOf(lights) + sizeof(camera);
+    return bytesOf(nodes) + bytesOf(triangles) + bytesOf(triangleNormals) + bytesOf(triangleUvs) +
+           bytesOf(quadrics) + bytesOf(materials) + bytesOf(textures) + bytesOf(texelRows) +
+           bytesOf(lights) + bytesOf(filterQuantiles) + sizeof(camera);
 }
 
 GpuScene packScene(const Scene& scene, std::span<const Primitive> primitives, const Bvh& bvh,

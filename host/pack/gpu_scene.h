@@ -16,9 +16,13 @@ struct GpuScene {
     std::vector<gpu::BvhNode> nodes;
     std::vector<gpu::Triangle> triangles;
     std::vector<gpu::TriangleNormals> triangleNormals; ///< one per triangle, or a single one unused
+    std::vector<gpu::TriangleUvs> triangleUvs;         ///< likewise
     std::vector<gpu::Quadric> quadrics;
-    std::vector<gpu::Material> materials;
-    std::vector<gpu::Light> lights;
+    std::vector<gpu::Material> materials; ///< those that no primitive bears are left blank
+    std::vector<gpu::Texture> textures;
+    std::vector<glm::uvec4> texelRows;
+    std::vector<gpu::Light> lights; ///< the background last
+    std::vector<float> filterQuantiles;
     uint32_t lightCount = 0; ///< `lights` holds one unused where this is 0
     gpu::Camera camera{};
     SceneFeatures features;

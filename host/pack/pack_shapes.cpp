@@ -77,6 +77,17 @@ gpu::TriangleNormals packTriangleNormals(const Mesh& mesh, uint32_t triangle) {
     return packed;
 }
 
+gpu::TriangleUvs packTriangleUvs(const Mesh& mesh, uint32_t triangle) {
+    gpu::TriangleUvs packed{};
+    const Mesh::Triangle& source = mesh.triangles[triangle];
+    if (source.uv[0] == Mesh::kNoUv)
+        return packed;
+    packed.uv0 = glm::vec2(mesh.uvs[source.uv[0]]);
+    packed.uv1 = glm::vec2(mesh.uvs[source.uv[1]]);
+    packed.uv2 = glm::vec2(mesh.uvs[source.uv[2]]);
+    return packed;
+}
+
 gpu::Quadric packQuadric(const Shape& shape, const glm::dvec3& origin, uint32_t number) {
     CALOTYPE_CHECK_EQ(std::holds_alternative<Mesh>(shape.geometry), false);
     gpu::Quadric packed{};

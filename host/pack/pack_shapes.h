@@ -13,6 +13,9 @@ gpu::Triangle packTriangle(const Mesh& mesh, uint32_t triangle, const glm::dvec3
 /// Zero normals where the triangle has none of its own.
 gpu::TriangleNormals packTriangleNormals(const Mesh& mesh, uint32_t triangle);
 
+/// Zero where the triangle has none.
+gpu::TriangleUvs packTriangleUvs(const Mesh& mesh, uint32_t triangle);
+
 /// Any shape but a mesh. The light is left at kNone.
 gpu::Quadric packQuadric(const Shape& shape, const glm::dvec3& origin, uint32_t number);
 

@@ -3,9 +3,34 @@
 namespace calotype {
 
 const std::array<std::string_view, gpu::kFeatureCount> kFeatureNames = {
-    "triangles",       "smooth normals", "spheres",         "cylinders",
-    "cones",           "disks",          "triangle lights", "sphere lights",
-    "cylinder lights", "cone lights",    "disk lights",     "hidden lights",
+    "triangles",
+    "smooth normals",
+    "spheres",
+    "cylinders",
+    "cones",
+    "disks",
+    "triangle lights",
+    "sphere lights",
+    "cylinder lights",
+    "cone lights",
+    "disk lights",
+    "hidden lights",
+    "a background",
+    "diffuse",
+    "GGX",
+    "mirrors",
+    "Blinn-Phong",
+    "dielectrics",
+    "color textures",
+    "roughness and specular textures",
+    "normal maps",
+    "alpha",
+    "8-bit images",
+    "float images",
+    "checkers",
+    "a film filter",
+    "a lens",
+    "an orthographic camera",
 };
 
 SceneFeatures SceneFeatures::all() {

@@ -18,18 +18,26 @@ SceneBuffers::SceneBuffers(const Device& device, const GpuScene& scene)
     : nodes_(device, bytesOf(scene.nodes), "BVH nodes"),
       triangles_(device, bytesOf(scene.triangles), "triangles"),
       triangleNormals_(device, bytesOf(scene.triangleNormals), "triangle normals"),
+      triangleUvs_(device, bytesOf(scene.triangleUvs), "texture coordinates"),
       quadrics_(device, bytesOf(scene.quadrics), "quadrics"),
       materials_(device, bytesOf(scene.materials), "materials"),
-      lights_(device, bytesOf(scene.lights), "lights") {}
+      textures_(device, bytesOf(scene.textures), "textures"),
+      texelRows_(device, bytesOf(scene.texelRows), "texels"),
+      lights_(device, bytesOf(scene.lights), "lights"),
+      filterQuantiles_(device, bytesOf(scene.filterQuantiles), "film filter") {}
 
 std::vector<Binding> SceneBuffers::bindings() const {
     return {
         Binding::texelBuffer(gpu::kBindingNodes, nodes_),
         Binding::texelBuffer(gpu::kBindingTriangles, triangles_),
         Binding::texelBuffer(gpu::kBindingTriangleNormals, triangleNormals_),
+        Binding::texelBuffer(gpu::kBindingTriangleUvs, triangleUvs_),
         Binding::texelBuffer(gpu::kBindingQuadrics, quadrics_),
         Binding::texelBuffer(gpu::kBindingMaterials, materials_),
+        Binding::texelBuffer(gpu::kBindingTextures, textures_),
+        Binding::texelBuffer(gpu::kBindingTexels, texelRows_),
         Binding::texelBuffer(gpu::kBindingLights, lights_),
+        Binding::texelBuffer(gpu::kBindingFilter, filterQuantiles_),
     };
 }
 

@@ -20,9 +20,13 @@ private:
     TexelBuffer nodes_;
     TexelBuffer triangles_;
     TexelBuffer triangleNormals_;
+    TexelBuffer triangleUvs_;
     TexelBuffer quadrics_;
     TexelBuffer materials_;
+    TexelBuffer textures_;
+    TexelBuffer texelRows_;
     TexelBuffer lights_;
+    TexelBuffer filterQuantiles_;
 };
 
 } // namespace calotype

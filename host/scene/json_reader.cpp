@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include <glm/geometric.hpp>
 
@@ -53,6 +54,20 @@ double JsonValue::positiveNumber() const {
     const double value = number();
     if (!(value > 0.0)) {
         failType("greater than 0");
+    }
+    return value;
+}
+
+double JsonValue::numberIn(double low, double high) const {
+    const double value = number();
+    if (!(value >= low && value <= high)) {
+        std::ostringstream range;
+        if (std::isinf(high)) {
+            range << low << " or greater";
+        } else {
+            range << "in [" << low << ", " << high << "]";
+        }
+        failType(range.str());
     }
     return value;
 }
@@ -179,12 +194,6 @@ void JsonObject::exclude(const std::string& a, const std::string& b) const {
     if (has(a) && has(b)) {
         value_.child(b).fail(inQuotes(a) + " and " + inQuotes(b) +
                              " exclude each other; keep one of them");
-    }
-}
-
-void JsonObject::refuse(const std::string& key) const {
-    if (has(key)) {
-        failUnsupported(value_.child(key), inQuotes(key));
     }
 }
 

@@ -30,6 +30,8 @@ public:
 
     double number() const;
     double positiveNumber() const;
+    /// A number in [low, high]; `high` may be infinite.
+    double numberIn(double low, double high) const;
     bool boolean() const;
     const std::string& text() const;
     /// A whole number (64.0 counts) in [low, high].
@@ -73,8 +75,6 @@ public:
 
     /// Throws SceneError if the object has both keys.
     void exclude(const std::string& a, const std::string& b) const;
-    /// Throws SceneError if the object has `key`, which this version does not support yet.
-    void refuse(const std::string& key) const;
 
 private:
     void checkKnown(const std::string& key) const;

@@ -4,6 +4,7 @@
 
 #include "scene/json_document.h"
 #include "scene/load_context.h"
+#include "scene/model_scene.h"
 #include "scene/read_color.h"
 #include "scene/read_file.h"
 #include "scene/read_lights.h"
@@ -75,14 +76,24 @@ void readScene(const JsonObject& root, LoadContext& context) {
     }
 }
 
+/// Whether the name ends in ".obj", in any case.
+bool isModel(const std::string& path) {
+    const std::string extension = std::filesystem::path(path).extension().string();
+    return std::ranges::equal(extension, std::string_view(".obj"),
+                              [](char a, char b) { return a == b || a == b - 'a' + 'A'; });
+}
+
 } // namespace
 
 Scene loadScene(const std::string& path, const LoadOptions& options) {
+    if (isModel(path)) {
+        return loadModelScene(path, options);
+    }
     nlohmann::json document = parseJson(readFile(path, path), path);
     for (const SceneOverride& override : options.overrides) {
         applyOverride(document, override);
     }
-    LoadContext context{options, std::filesystem::path(path).parent_path(), {}, {}, {}, {}, {}, {}};
+    LoadContext context(options, std::filesystem::path(path).parent_path());
     context.hash.add(document.dump());
     readScene(
         JsonObject(JsonValue(document, path), {"$schema", "camera", "film", "render", "background",

@@ -26,7 +26,8 @@ struct LoadOptions {
 };
 
 /// Reads, checks and resolves a scene file (scenes/scene.schema.json describes the format).
-/// Throws SceneError with the place of the first mistake.
+/// A Wavefront OBJ (".obj") becomes a scene made around it, see loadModelScene. Throws SceneError
+/// with the place of the first mistake.
 Scene loadScene(const std::string& path, const LoadOptions& options = {});
 
 } // namespace calotype

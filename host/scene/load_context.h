@@ -5,10 +5,13 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scene/content_hash.h"
+#include "scene/displacement.h"
 #include "scene/json_reader.h"
 #include "scene/load.h"
 #include "scene/obj_file.h"
@@ -18,8 +21,13 @@ namespace calotype {
 
 /// What the readers of one scene file share: what is made, and what is looked up on the way.
 struct LoadContext {
+    LoadContext(const LoadOptions& loadOptions, std::filesystem::path sceneDirectory)
+        : options(loadOptions), directory(std::move(sceneDirectory)) {}
+
     const LoadOptions& options;
     std::filesystem::path directory; ///< that file names in the scene are relative to
+    /// Faces whose material no MTL file defines are grey, with a warning, rather than an error.
+    bool toleratesUndefinedMaterials = false;
 
     Scene scene;
     ContentHash hash;
@@ -28,8 +36,13 @@ struct LoadContext {
 
     /// OBJ files by path, each read once however many meshes name it.
     std::map<std::string, std::shared_ptr<const ObjFile>> objFiles;
+    /// Image files by path, and what is made of them (by path and recipe), each read once however
+    /// many textures name it.
+    std::map<std::string, std::shared_ptr<const TexelImage>> images;
     /// What materialsFromMtl returned, by OBJ path.
     std::map<std::string, std::vector<uint32_t>> mtlMaterials;
+    /// Of the first of Scene::materials, by their index; the others have none.
+    std::vector<std::optional<Displacement>> displacements = {};
 
     uint32_t addMaterial(Material material) {
         scene.materials.push_back(std::move(material));

@@ -1,26 +1,21 @@
 #include "scene/mesh_builder.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include <glm/geometric.hpp>
-#include <glm/vector_relational.hpp>
 
 #include "base/error.h"
+#include "scene/area_normals.h"
+#include "scene/distinct_values.h"
 
 namespace calotype {
 namespace {
 
 bool isFinite(const glm::dvec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-double largestComponent(const glm::dvec3& v) {
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
 /// The direction of the front's normal, scaled at will; zero exactly where the triangle has no
@@ -32,131 +27,134 @@ glm::dvec3 scaledNormal(const glm::dvec3& a, const glm::dvec3& b, const glm::dve
     return size == 0.0 ? glm::dvec3(0.0) : glm::cross(ab / size, ac / size);
 }
 
-/// Numbers the entries in use in the order of their first use.
+/// Collects what triangles use of `source`, numbered in the order of first use.
+template <typename Value>
 class Compaction {
 public:
-    explicit Compaction(size_t count) : newIndex_(count, kUnused) {}
+    explicit Compaction(std::span<const Value> source)
+        : source_(source), newIndex_(source.size(), kUnused) {}
 
-    /// The new index of `old`; `isNew` tells whether it is met for the first time.
-    std::pair<uint32_t, bool> add(uint32_t old) {
-        const bool isNew = newIndex_[old] == kUnused;
-        if (isNew) {
-            newIndex_[old] = count_++;
+    /// The new index of `old`; `convert` makes the new value when it is met for the first time.
+    template <typename Convert>
+    uint32_t add(uint32_t old, Convert&& convert) {
+        if (newIndex_[old] == kUnused) {
+            newIndex_[old] = static_cast<uint32_t>(values_.size());
+            values_.push_back(convert(source_[old]));
         }
-        return {newIndex_[old], isNew};
+        return newIndex_[old];
     }
+
+    std::vector<Value> take() && { return std::move(values_); }
 
 private:
     static constexpr uint32_t kUnused = ~0u;
+    std::span<const Value> source_;
     std::vector<uint32_t> newIndex_;
-    uint32_t count_ = 0;
+    std::vector<Value> values_;
 };
 
-struct PositionHash {
-    size_t operator()(const glm::dvec3& p) const {
-        size_t hash = 0;
-        for (int i = 0; i < 3; ++i) {
-            // Adding zero makes -0 and 0, which are equal, the same bits.
-            const auto bits = std::bit_cast<uint64_t>(p[i] + 0.0);
-            hash = (hash ^ bits) * 0x9e3779b97f4a7c15u;
-            hash ^= hash >> 32;
-        }
-        return hash;
+/// Takes triangles from object space to world space.
+class MeshBuilder {
+public:
+    MeshBuilder(const ObjectMesh& source, const AffineTransform& worldFromObject, bool keepNormals)
+        : source_(source), worldFromObject_(worldFromObject),
+          worldNormal_(normalMatrix(worldFromObject.linear)),
+          mirrored_(isMirroring(worldFromObject.linear)), keepNormals_(keepNormals),
+          positions_(source.positions), normals_(source.normals), uvs_(source.uvs) {
+        triangles_.reserve(source.triangles.size());
     }
+
+    /// Throws SceneError at `where` if a vertex leaves the range of finite numbers.
+    void add(Mesh::Triangle triangle, const std::string& where) {
+        if (mirrored_) {
+            std::swap(triangle.position[1], triangle.position[2]);
+            std::swap(triangle.normal[1], triangle.normal[2]);
+            std::swap(triangle.uv[1], triangle.uv[2]);
+        }
+        glm::dvec3 corner[3];
+        for (int k = 0; k < 3; ++k) {
+            corner[k] = worldFromObject_.point(source_.positions[triangle.position[k]]);
+            if (!isFinite(corner[k])) {
+                throw SceneError(where, "a vertex lies beyond the range of finite numbers");
+            }
+        }
+        if (scaledNormal(corner[0], corner[1], corner[2]) == glm::dvec3(0.0)) {
+            ++dropped_;
+            return;
+        }
+        const bool hasNormals = keepNormals_ && triangle.normal[0] != Mesh::kNoNormal;
+        const bool hasUvs = triangle.uv[0] != Mesh::kNoUv;
+        for (int k = 0; k < 3; ++k) {
+            uint32_t& position = triangle.position[k];
+            uint32_t& normal = triangle.normal[k];
+            uint32_t& uv = triangle.uv[k];
+            position = positions_.add(position, [&](const auto&) { return corner[k]; });
+            normal = hasNormals ? normals_.add(normal, [&](const auto& n) { return inWorld(n); })
+                                : Mesh::kNoNormal;
+            uv = hasUvs ? uvs_.add(uv, [](const auto& given) { return given; }) : Mesh::kNoUv;
+        }
+        triangles_.push_back(triangle);
+    }
+
+    MeshAndDropped take() && {
+        return {{std::move(positions_).take(), std::move(normals_).take(), std::move(uvs_).take(),
+                 std::move(triangles_)},
+                dropped_};
+    }
+
+private:
+    glm::dvec3 inWorld(const glm::dvec3& normal) const {
+        return glm::normalize(worldNormal_ * (normal / largestComponent(normal)));
+    }
+
+    const ObjectMesh& source_;
+    const AffineTransform& worldFromObject_;
+    glm::dmat3 worldNormal_;
+    bool mirrored_;
+    bool keepNormals_;
+    Compaction<glm::dvec3> positions_;
+    Compaction<glm::dvec3> normals_;
+    Compaction<glm::dvec2> uvs_;
+    std::vector<Mesh::Triangle> triangles_;
+    uint64_t dropped_ = 0;
 };
 
 /// Replaces the normals by one per distinct position. Triangles at a position whose normals
 /// cancel become flat.
 void smoothNormals(Mesh& mesh) {
-    std::unordered_map<glm::dvec3, uint32_t, PositionHash> normalAt;
-    mesh.normals.clear();
-    for (Mesh::Triangle& triangle : mesh.triangles) {
-        const glm::dvec3& a = mesh.positions[triangle.position[0]];
-        const glm::dvec3& b = mesh.positions[triangle.position[1]];
-        const glm::dvec3& c = mesh.positions[triangle.position[2]];
-        for (int k = 0; k < 3; ++k) {
-            const auto next = static_cast<uint32_t>(mesh.normals.size());
-            const auto [entry, isNew] =
-                normalAt.try_emplace(mesh.positions[triangle.position[k]], next);
-            if (isNew) {
-                mesh.normals.emplace_back(0.0);
-            }
-            triangle.normal[k] = entry->second;
-            mesh.normals[entry->second] += glm::cross(b - a, c - a);
+    DistinctValues<glm::dvec3> distinct;
+    const std::vector<uint32_t> place = distinct.addAll(mesh.positions);
+    std::vector<Mesh::Triangle> merged = mesh.triangles;
+    for (Mesh::Triangle& triangle : merged) {
+        for (uint32_t& corner : triangle.position) {
+            corner = place[corner];
         }
     }
-    for (glm::dvec3& normal : mesh.normals) {
-        const double size = largestComponent(normal);
-        normal =
-            size > 0.0 && std::isfinite(size) ? glm::normalize(normal / size) : glm::dvec3(0.0);
-    }
-    for (Mesh::Triangle& triangle : mesh.triangles) {
-        const bool cancelled =
-            std::any_of(std::begin(triangle.normal), std::end(triangle.normal),
-                        [&](uint32_t index) { return mesh.normals[index] == glm::dvec3(0.0); });
-        if (cancelled) {
-            std::fill(std::begin(triangle.normal), std::end(triangle.normal), Mesh::kNoNormal);
+    mesh.normals = areaWeightedNormals(distinct.values(), merged);
+    for (size_t i = 0; i < merged.size(); ++i) {
+        const auto& corners = merged[i].position;
+        const bool cancelled = std::ranges::any_of(
+            corners, [&](uint32_t corner) { return mesh.normals[corner] == glm::dvec3(0.0); });
+        for (int k = 0; k < 3; ++k) {
+            mesh.triangles[i].normal[k] = cancelled ? Mesh::kNoNormal : corners[k];
         }
     }
 }
 
 } // namespace
 
-MeshAndDropped buildMesh(std::span<const glm::dvec3> positions, std::span<const glm::dvec3> normals,
-                         std::span<const Mesh::Triangle> triangles,
-                         const AffineTransform& worldFromObject, NormalMode mode,
-                         const std::string& where) {
-    const bool mirrored = isMirroring(worldFromObject.linear);
-    const glm::dmat3 worldNormal = normalMatrix(worldFromObject.linear);
-    MeshAndDropped result;
-    Mesh& mesh = result.mesh;
-    mesh.triangles.reserve(triangles.size());
-    mesh.positions.reserve(positions.size());
-    Compaction usedPositions(positions.size());
-    Compaction usedNormals(normals.size());
-
-    for (Mesh::Triangle triangle : triangles) {
-        if (mirrored) {
-            std::swap(triangle.position[1], triangle.position[2]);
-            std::swap(triangle.normal[1], triangle.normal[2]);
-        }
-        glm::dvec3 corner[3];
-        for (int k = 0; k < 3; ++k) {
-            corner[k] = worldFromObject.point(positions[triangle.position[k]]);
-            if (!isFinite(corner[k])) {
-                throw SceneError(where, "a vertex lies beyond the range of finite numbers");
-            }
-        }
-        if (scaledNormal(corner[0], corner[1], corner[2]) == glm::dvec3(0.0)) {
-            ++result.dropped;
-            continue;
-        }
-        const bool keepNormals = mode == NormalMode::Auto && triangle.normal[0] != Mesh::kNoNormal;
-        for (int k = 0; k < 3; ++k) {
-            const auto [position, newPosition] = usedPositions.add(triangle.position[k]);
-            if (newPosition) {
-                mesh.positions.push_back(corner[k]);
-            }
-            triangle.position[k] = position;
-            if (!keepNormals) {
-                triangle.normal[k] = Mesh::kNoNormal;
-                continue;
-            }
-            const glm::dvec3& given = normals[triangle.normal[k]];
-            const auto [normal, newNormal] = usedNormals.add(triangle.normal[k]);
-            if (newNormal) {
-                mesh.normals.push_back(
-                    glm::normalize(worldNormal * (given / largestComponent(given))));
-            }
-            triangle.normal[k] = normal;
-        }
-        mesh.triangles.push_back(triangle);
+MeshAndDropped buildMesh(const ObjectMesh& source, const AffineTransform& worldFromObject,
+                         NormalMode mode, const std::string& where) {
+    MeshBuilder builder(source, worldFromObject, mode == NormalMode::Auto);
+    for (const Mesh::Triangle& triangle : source.triangles) {
+        builder.add(triangle, where);
     }
-    if (mesh.triangles.empty()) {
+    MeshAndDropped result = std::move(builder).take();
+    if (result.mesh.triangles.empty()) {
         throw SceneError(where, "no triangle of this shape has an area");
     }
     if (mode == NormalMode::Smooth) {
-        smoothNormals(mesh);
+        smoothNormals(result.mesh);
     }
     return result;
 }

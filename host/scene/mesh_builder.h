@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <string>
 
 #include <glm/vec3.hpp>
 
 #include "math/affine_transform.h"
+#include "scene/object_mesh.h"
 #include "scene/scene.h"
 
 namespace calotype {
@@ -23,14 +23,12 @@ struct MeshAndDropped {
     uint64_t dropped = 0; ///< triangles of zero area, which are left out
 };
 
-/// A mesh in world space from triangles in object space that index `positions` and `normals`.
-/// Where the transform mirrors, triangles are wound the other way, so that fronts stay fronts.
-/// Positions and normals that no triangle uses are left out. Throws SceneError at `where` if a
-/// vertex leaves the range of finite numbers, or if no triangle is left.
-MeshAndDropped buildMesh(std::span<const glm::dvec3> positions, std::span<const glm::dvec3> normals,
-                         std::span<const Mesh::Triangle> triangles,
-                         const AffineTransform& worldFromObject, NormalMode mode,
-                         const std::string& where);
+/// The mesh in world space. Where the transform mirrors, triangles are wound the other way, so that
+/// fronts stay fronts. Positions, normals and texture coordinates that no triangle uses are left
+/// out. Throws SceneError at `where` if a vertex leaves the range of finite numbers, or if no
+/// triangle is left.
+MeshAndDropped buildMesh(const ObjectMesh& source, const AffineTransform& worldFromObject,
+                         NormalMode mode, const std::string& where);
 
 /// Of one side.
 double triangleArea(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);

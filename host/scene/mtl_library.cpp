@@ -2,10 +2,9 @@
 
 #include <set>
 
-#include <glm/common.hpp>
-
 #include "base/error.h"
-#include "scene/mtl_file.h"
+#include "scene/find_file.h"
+#include "scene/mtl_material.h"
 #include "scene/names.h"
 #include "scene/read_file.h"
 
@@ -36,13 +35,13 @@ public:
     MtlLibrary(const ObjFile& obj, const std::filesystem::path& directory, LoadContext& context) {
         for (const std::string& library : obj.libraries) {
             // Many exporters write names with blanks as they are.
-            if (isReadableFile(directory / library)) {
-                read(directory / library, context);
+            if (const auto path = findFile(directory, library)) {
+                read(*path, context);
                 continue;
             }
             for (const std::string& name : splitNames(library)) {
-                if (isReadableFile(directory / name)) {
-                    read(directory / name, context);
+                if (const auto path = findFile(directory, name)) {
+                    read(*path, context);
                 } else {
                     missing_.push_back(name);
                 }
@@ -50,11 +49,13 @@ public:
         }
     }
 
-    const MtlMaterial& find(const std::string& name, const std::string& where) const {
+    /// nullptr for a material that is not defined.
+    const MtlMaterial* find(const std::string& name) const {
         const auto found = materials_.find(name);
-        if (found != materials_.end()) {
-            return found->second;
-        }
+        return found != materials_.end() ? &found->second : nullptr;
+    }
+
+    [[noreturn]] void failUndefined(const std::string& name, const std::string& where) const {
         std::vector<std::string> known;
         for (const auto& [knownName, unused] : materials_) {
             known.push_back(knownName);
@@ -64,6 +65,12 @@ public:
                                                       : "; cannot read " + listInQuotes(missing_)) +
                                     "; name materials of the scene with \"material\" or "
                                     "\"materials\" instead");
+    }
+
+    void warnOfMissing(const std::string& where, LoadContext& context) const {
+        if (!missing_.empty()) {
+            context.warn(where, "cannot read " + listInQuotes(missing_));
+        }
     }
 
 private:
@@ -77,6 +84,35 @@ private:
     std::vector<std::string> missing_;
 };
 
+/// Statements, and options of textures, that an OBJ's materials ask for in vain.
+struct Ignored {
+    std::set<std::string> statements;
+    std::set<std::string> options;
+
+    void add(const MtlMaterial& mtl) {
+        statements.insert(mtl.unsupported.begin(), mtl.unsupported.end());
+        for (const auto* map :
+             {&mtl.diffuseMap, &mtl.alphaMap, &mtl.bumpMap, &mtl.normalMap, &mtl.roughnessMap}) {
+            if (*map) {
+                options.insert((*map)->ignored.begin(), (*map)->ignored.end());
+            }
+        }
+    }
+
+    void warn(const std::string& where, LoadContext& context) const {
+        const auto warnOf = [&](const char* what, const std::set<std::string>& names) {
+            if (!names.empty()) {
+                const std::vector<std::string> list(names.begin(), names.end());
+                context.warn(where,
+                             std::string("these MTL ") + what +
+                                 " are not supported yet and were ignored: " + listInQuotes(list));
+            }
+        };
+        warnOf("statements", statements);
+        warnOf("texture options", options);
+    }
+};
+
 } // namespace
 
 std::vector<uint32_t> materialsFromMtl(const ObjFile& obj, const std::string& objPath,
@@ -87,38 +123,37 @@ std::vector<uint32_t> materialsFromMtl(const ObjFile& obj, const std::string& ob
     }
     const std::filesystem::path path(objPath);
     const std::string prefix = path.filename().string() + ":";
-    std::set<std::string> unsupported;
-    std::vector<std::string> clamped;
-    if (!obj.materialNames.empty()) {
-        const MtlLibrary library(obj, path.parent_path(), context);
-        for (size_t i = 0; i < obj.materialNames.size(); ++i) {
-            const std::string& name = obj.materialNames[i];
-            const MtlMaterial& mtl =
-                library.find(name, objPath + ":" + std::to_string(obj.materialLines[i]));
-            Material material;
-            material.name = prefix + name;
-            material.color = glm::min(mtl.color, glm::dvec3(1.0));
-            material.emission = mtl.emission;
-            if (material.color != mtl.color) {
-                clamped.push_back(name);
-            }
-            unsupported.insert(mtl.unsupported.begin(), mtl.unsupported.end());
-            result.push_back(context.addMaterial(material));
-        }
-    }
     Material plain;
     plain.name = prefix;
     plain.color = glm::dvec3(kColorWithoutMaterial);
-    result.push_back(obj.hasFacesWithoutMaterial ? context.addMaterial(plain) : 0);
 
-    if (!clamped.empty()) {
-        context.warn(objPath, "Kd above 1 was lowered to 1 in " + listInQuotes(clamped));
+    MtlNotes notes;
+    Ignored ignored;
+    if (!obj.materialNames.empty()) {
+        const MtlLibrary library(obj, path.parent_path(), context);
+        MtlMaps maps(context);
+        for (size_t i = 0; i < obj.materialNames.size(); ++i) {
+            const std::string& name = obj.materialNames[i];
+            const MtlMaterial* mtl = library.find(name);
+            Material material = plain;
+            if (mtl != nullptr) {
+                material = materialFromMtl(*mtl, name, maps, notes);
+                ignored.add(*mtl);
+            } else if (context.toleratesUndefinedMaterials) {
+                notes.add("a neutral grey stands for the undefined material", name);
+            } else {
+                library.failUndefined(name, objPath + ":" + std::to_string(obj.materialLines[i]));
+            }
+            material.name = prefix + name;
+            result.push_back(context.addMaterial(material));
+        }
+        if (context.toleratesUndefinedMaterials) {
+            library.warnOfMissing(objPath, context);
+        }
     }
-    if (!unsupported.empty()) {
-        const std::vector<std::string> names(unsupported.begin(), unsupported.end());
-        context.warn(objPath, "these MTL statements are not supported yet and were ignored: " +
-                                  listInQuotes(names));
-    }
+    result.push_back(obj.hasFacesWithoutMaterial ? context.addMaterial(plain) : 0);
+    notes.warn(objPath, context);
+    ignored.warn(objPath, context);
     return result;
 }
 

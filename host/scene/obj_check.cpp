@@ -48,6 +48,7 @@ public:
         }
         outline_.positions = counts_[kPosition];
         outline_.normals = counts_[kNormal];
+        outline_.uvs = counts_[kTexcoord];
     }
 
     bool foundBadNumbers() const { return foundBadNumbers_; }

@@ -18,6 +18,7 @@ struct ObjOutline {
     };
     size_t positions = 0;
     size_t normals = 0;
+    size_t uvs = 0;
     size_t polygons = 0;
     size_t corners = 0;
     std::vector<std::string> materialNames; ///< those that faces bear, in the order of first use

@@ -56,6 +56,7 @@ public:
     Receiver(ObjFile& file, const ObjOutline& outline) : file_(file), outline_(outline) {
         file_.positions.reserve(outline.positions);
         file_.normals.reserve(outline.normals);
+        file_.uvs.reserve(outline.uvs);
         polygons_.reserve(outline.polygons);
         corners_.reserve(outline.corners);
     }
@@ -68,6 +69,9 @@ public:
         callbacks.normal_cb = [](void* self, double x, double y, double z) {
             static_cast<Receiver*>(self)->file_.normals.emplace_back(x, y, z);
         };
+        callbacks.texcoord_cb = [](void* self, double u, double v, double) {
+            static_cast<Receiver*>(self)->file_.uvs.emplace_back(u, v);
+        };
         callbacks.index_cb = [](void* self, tinyobj::index_t* indices, int count) {
             static_cast<Receiver*>(self)->addPolygon({indices, static_cast<size_t>(count)});
         };
@@ -75,6 +79,7 @@ public:
         // The outline has vouched for every index, if only both have read the same.
         CALOTYPE_CHECK_EQ(file_.positions.size(), outline_.positions);
         CALOTYPE_CHECK_EQ(file_.normals.size(), outline_.normals);
+        CALOTYPE_CHECK_EQ(file_.uvs.size(), outline_.uvs);
         CALOTYPE_CHECK_EQ(polygons_.size(), outline_.polygons);
         CALOTYPE_CHECK_EQ(corners_.size(), outline_.corners);
     }
@@ -102,12 +107,15 @@ private:
     struct Corner {
         uint32_t position;
         uint32_t normal;
+        uint32_t uv;
     };
+    static constexpr uint32_t kNone = ~0u;
+    static_assert(Mesh::kNoNormal == kNone && Mesh::kNoUv == kNone);
 
     /// From OBJ's index (from 1, negative counts back, 0 is none).
     static uint32_t resolve(int index, size_t count) {
         if (index == 0) {
-            return Mesh::kNoNormal;
+            return kNone;
         }
         return static_cast<uint32_t>(index > 0 ? index - 1 : static_cast<int64_t>(count) + index);
     }
@@ -115,7 +123,8 @@ private:
     void addPolygon(std::span<const tinyobj::index_t> indices) {
         for (const tinyobj::index_t& index : indices) {
             corners_.push_back({resolve(index.vertex_index, file_.positions.size()),
-                                resolve(index.normal_index, file_.normals.size())});
+                                resolve(index.normal_index, file_.normals.size()),
+                                resolve(index.texcoord_index, file_.uvs.size())});
         }
         polygons_.push_back(static_cast<uint32_t>(indices.size()));
     }
@@ -127,16 +136,19 @@ private:
     void cutPolygon(std::span<const Corner> polygon, uint32_t material) {
         polygon_.clear();
         bool allNormals = true;
+        bool allUvs = true;
         for (const Corner& corner : polygon) {
             polygon_.push_back(file_.positions[corner.position]);
             allNormals = allNormals && hasNormal(corner);
+            allUvs = allUvs && corner.uv != kNone;
         }
         for (const auto& cut : triangulator_.triangulate(polygon_)) {
             Mesh::Triangle triangle{};
             triangle.material = material;
             for (int k = 0; k < 3; ++k) {
                 triangle.position[k] = polygon[cut[k]].position;
-                triangle.normal[k] = allNormals ? polygon[cut[k]].normal : Mesh::kNoNormal;
+                triangle.normal[k] = allNormals ? polygon[cut[k]].normal : kNone;
+                triangle.uv[k] = allUvs ? polygon[cut[k]].uv : kNone;
             }
             file_.triangles.push_back(triangle);
         }

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "scene/obj_check.h"
@@ -18,8 +19,10 @@ struct ObjFile {
 
     std::vector<glm::dvec3> positions;
     std::vector<glm::dvec3> normals;
+    std::vector<glm::dvec2> uvs;
     /// `material` is an index into `materialNames` or kNoMaterial. Faces one of whose normals is
-    /// zero, not finite or missing have Mesh::kNoNormal in all corners.
+    /// zero, not finite or missing have Mesh::kNoNormal in all corners; those one of whose texture
+    /// coordinates is missing, Mesh::kNoUv.
     std::vector<Mesh::Triangle> triangles;
     std::vector<std::string> materialNames; ///< those that faces bear
     std::vector<size_t> materialLines;      ///< of the first face that bears each

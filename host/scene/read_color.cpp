@@ -23,38 +23,31 @@ glm::dvec3 readHexColor(const JsonValue& value) {
                 linearFromSrgb((rgb & 255) / 255.0)};
     }
     if (!text.starts_with("#")) {
-        failUnsupported(value, "the texture " + inQuotes(text));
+        value.fail("must be a colour: [r, g, b], one number, or \"#rrggbb\"; " + inQuotes(text) +
+                   " is none, and textures cannot stand here");
     }
     value.fail(inQuotes(text) + " is not a colour \"#rrggbb\" of six hexadecimal digits");
 }
 
-glm::dvec3 readColor(const JsonValue& value, double highest, const std::string& range) {
+glm::dvec3 readColor(const JsonValue& value, double highest) {
     if (value.json().is_string()) {
         return readHexColor(value);
     }
-    const auto component = [&](const JsonValue& v) {
-        const double x = v.number();
-        if (!(x >= 0.0 && x <= highest)) {
-            v.fail("must be " + range + ", not " + v.json().dump());
-        }
-        return x;
-    };
     if (value.json().is_number()) {
-        return glm::dvec3(component(value));
+        return glm::dvec3(value.numberIn(0.0, highest));
     }
     if (!value.json().is_array() || value.json().size() != 3) {
         value.fail("must be a colour: [r, g, b], one number, or \"#rrggbb\"");
     }
     const std::vector<JsonValue> rgb = value.array();
-    return {component(rgb[0]), component(rgb[1]), component(rgb[2])};
+    return {rgb[0].numberIn(0.0, highest), rgb[1].numberIn(0.0, highest),
+            rgb[2].numberIn(0.0, highest)};
 }
 
 } // namespace
 
-glm::dvec3 readReflectance(const JsonValue& value) { return readColor(value, 1.0, "in [0, 1]"); }
+glm::dvec3 readReflectance(const JsonValue& value) { return readColor(value, 1.0); }
 
-glm::dvec3 readRadiance(const JsonValue& value) {
-    return readColor(value, HUGE_VAL, "0 or greater");
-}
+glm::dvec3 readRadiance(const JsonValue& value) { return readColor(value, HUGE_VAL); }
 
 } // namespace calotype

@@ -76,8 +76,9 @@ Shape readLight(const JsonValue& value, size_t index, LoadContext& context) {
         sideArea = area(disk);
         shape.geometry = disk;
     } else {
-        Mesh mesh = type == kTriangle ? readTriangle(object, shape.material, context)
-                                      : readQuad(object, shape.material, context);
+        Mesh mesh = type == kTriangle
+                        ? readTriangle(object, shape.material, PolygonUse::Light, context)
+                        : readQuad(object, shape.material, PolygonUse::Light, context);
         sideArea = area(mesh);
         shape.geometry = std::move(mesh);
     }

@@ -1,10 +1,16 @@
 #include "scene/read_mesh.h"
 
+#include <algorithm>
 #include <array>
+#include <optional>
+#include <set>
+#include <span>
 
+#include "scene/displacement.h"
 #include "scene/mesh_builder.h"
 #include "scene/mesh_materials.h"
 #include "scene/names.h"
+#include "scene/read_displacement.h"
 #include "scene/read_file.h"
 #include "scene/read_transform.h"
 
@@ -31,10 +37,42 @@ std::shared_ptr<const ObjFile> readObj(const JsonValue& file, const std::string&
     return cached;
 }
 
+/// By material: the mesh's own for all, or else the materials' own.
+std::vector<std::optional<Displacement>> readDisplacements(const JsonObject& mesh,
+                                                           const LoadContext& context) {
+    if (const auto own = mesh.optional("displacement")) {
+        return {context.scene.materials.size(), readDisplacement(*own, context)};
+    }
+    return context.displacements;
+}
+
+bool readsTextures(const Material& material) {
+    const uint32_t slots[] = {material.colorTexture, material.roughnessTexture,
+                              material.specularTexture, material.normalMap, material.alphaTexture};
+    return std::ranges::any_of(slots, [](uint32_t slot) { return slot != Material::kNoTexture; });
+}
+
+void warnOfMissingUvs(std::span<const Mesh::Triangle> triangles,
+                      std::span<const std::optional<Displacement>> displacements,
+                      const std::string& path, LoadContext& context) {
+    std::set<uint32_t> lacking;
+    for (const Mesh::Triangle& triangle : triangles) {
+        if (triangle.uv[0] == Mesh::kNoUv) {
+            lacking.insert(triangle.material);
+        }
+    }
+    for (const uint32_t index : lacking) {
+        const Material& material = context.scene.materials[index];
+        if (readsTextures(material) || (index < displacements.size() && displacements[index])) {
+            context.warn(path, "faces that bear the textured material " + inQuotes(material.name) +
+                                   " lack texture coordinates, which count as (0, 0)");
+        }
+    }
+}
+
 } // namespace
 
 Mesh readMesh(const JsonObject& object, LoadContext& context) {
-    object.refuse("displacement");
     const AffineTransform worldFromObject = readTransform(object);
     auto mode = NormalMode::Auto;
     if (const auto normals = object.optional("normals")) {
@@ -49,8 +87,14 @@ Mesh readMesh(const JsonObject& object, LoadContext& context) {
     for (Mesh::Triangle& triangle : triangles) {
         triangle.material = materials[std::min<size_t>(triangle.material, materials.size() - 1)];
     }
-    auto [mesh, dropped] =
-        buildMesh(obj->positions, obj->normals, triangles, worldFromObject, mode, file.where());
+    const auto displacements = readDisplacements(object, context);
+    warnOfMissingUvs(triangles, displacements, path, context);
+    ObjectMesh source{obj->positions, obj->normals, obj->uvs, triangles};
+    const auto displaced = displace(source, displacements, context.scene.textures, path);
+    if (displaced) {
+        source = {displaced->positions, displaced->normals, displaced->uvs, displaced->triangles};
+    }
+    auto [mesh, dropped] = buildMesh(source, worldFromObject, mode, file.where());
     if (dropped > 0) {
         context.scene.droppedTriangles += dropped;
         context.warn(path,

@@ -36,11 +36,30 @@ void checkPlanar(const std::vector<glm::dvec3>& v, const JsonValue& place) {
     }
 }
 
+/// One for each vertex, or `otherwise` without "uvs". A light has none.
+std::vector<glm::dvec2> readUvs(const JsonObject& object, PolygonUse use,
+                                const std::vector<glm::dvec2>& otherwise) {
+    if (use == PolygonUse::Light) {
+        return {};
+    }
+    const auto value = object.optional("uvs");
+    if (!value) {
+        return otherwise;
+    }
+    std::vector<glm::dvec2> uvs;
+    for (const JsonValue& uv : value->array(otherwise.size())) {
+        const std::vector<JsonValue> coordinates = uv.array(2);
+        uvs.emplace_back(coordinates[0].number(), coordinates[1].number());
+    }
+    return uvs;
+}
+
 Mesh makeMesh(const JsonObject& object, const std::vector<glm::dvec3>& vertices,
-              const std::vector<Mesh::Triangle>& triangles, LoadContext& context) {
+              const std::vector<glm::dvec2>& uvs, const std::vector<Mesh::Triangle>& triangles,
+              LoadContext& context) {
     const JsonValue place = object.value();
-    auto [mesh, dropped] =
-        buildMesh(vertices, {}, triangles, readTransform(object), NormalMode::Flat, place.where());
+    auto [mesh, dropped] = buildMesh({vertices, {}, uvs, triangles}, readTransform(object),
+                                     NormalMode::Flat, place.where());
     if (dropped > 0) {
         context.scene.droppedTriangles += dropped;
         context.warn(place.where(), "half of the quad has no area and was left out");
@@ -48,21 +67,34 @@ Mesh makeMesh(const JsonObject& object, const std::vector<glm::dvec3>& vertices,
     return std::move(mesh);
 }
 
-Mesh::Triangle flatTriangle(uint32_t a, uint32_t b, uint32_t c, uint32_t material) {
-    return {{a, b, c}, {Mesh::kNoNormal, Mesh::kNoNormal, Mesh::kNoNormal}, material};
+/// Whose corners' texture coordinates, if there are any, are numbered as the vertices.
+Mesh::Triangle flatTriangle(uint32_t a, uint32_t b, uint32_t c, uint32_t material, bool hasUvs) {
+    Mesh::Triangle triangle{
+        {a, b, c}, {Mesh::kNoNormal, Mesh::kNoNormal, Mesh::kNoNormal}, material};
+    if (hasUvs) {
+        std::ranges::copy(triangle.position, triangle.uv);
+    }
+    return triangle;
 }
 
 } // namespace
 
-Mesh readTriangle(const JsonObject& object, uint32_t material, LoadContext& context) {
-    return makeMesh(object, readVertices(object, 3), {flatTriangle(0, 1, 2, material)}, context);
+Mesh readTriangle(const JsonObject& object, uint32_t material, PolygonUse use,
+                  LoadContext& context) {
+    const std::vector<glm::dvec3> vertices = readVertices(object, 3);
+    const auto uvs = readUvs(object, use, {{0, 0}, {1, 0}, {0, 1}});
+    return makeMesh(object, vertices, uvs, {flatTriangle(0, 1, 2, material, !uvs.empty())},
+                    context);
 }
 
-Mesh readQuad(const JsonObject& object, uint32_t material, LoadContext& context) {
+Mesh readQuad(const JsonObject& object, uint32_t material, PolygonUse use, LoadContext& context) {
     const std::vector<glm::dvec3> vertices = readVertices(object, 4);
     checkPlanar(vertices, object.required("vertices"));
-    return makeMesh(object, vertices,
-                    {flatTriangle(0, 1, 2, material), flatTriangle(0, 2, 3, material)}, context);
+    const auto uvs = readUvs(object, use, {{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+    return makeMesh(object, vertices, uvs,
+                    {flatTriangle(0, 1, 2, material, !uvs.empty()),
+                     flatTriangle(0, 2, 3, material, !uvs.empty())},
+                    context);
 }
 
 } // namespace calotype

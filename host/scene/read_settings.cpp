@@ -13,6 +13,10 @@
 namespace calotype {
 namespace {
 
+/// In the order of Projection.
+const std::array<std::string, 2> kProjections = {"perspective", "orthographic"};
+/// In the order of FilmFilter.
+const std::array<std::string, 4> kFilters = {"box", "tent", "gaussian", "blackman-harris"};
 constexpr uint32_t kLargestSide = 65535;
 constexpr uint32_t kLargestSeed = std::numeric_limits<uint32_t>::max();
 constexpr double kDefaultFov = 40.0;
@@ -59,27 +63,52 @@ void placeByTarget(Camera& camera, const JsonObject& object) {
     camera.up = glm::cross(camera.right, camera.forward);
 }
 
+/// The opening of the view: an angle in perspective, else a height.
+void readView(const JsonObject& object, Camera& camera) {
+    if (const auto type = object.optional("type")) {
+        camera.projection = static_cast<Projection>(type->choice(kProjections));
+    }
+    const auto height = object.optional("height");
+    const auto fov = object.optional("fov");
+    if (camera.projection == Projection::Orthographic) {
+        if (fov) {
+            fov->fail("belongs to a perspective camera; this one is orthographic and has "
+                      "\"height\"");
+        }
+        camera.viewHeight = object.required("height").positiveNumber();
+        return;
+    }
+    if (height) {
+        height->fail("belongs to an orthographic camera; this one is in perspective and has "
+                     "\"fov\"");
+    }
+    const double degrees = fov ? fov->number() : kDefaultFov;
+    if (!(degrees > 0.0 && degrees < 180.0)) {
+        fov->fail("must be between 0 and 180 degrees, both excluded");
+    }
+    camera.verticalFov = degrees * (std::numbers::pi / 180.0);
+}
+
+/// A thin lens; without a distance it is in focus at the target.
+void readLens(const JsonObject& object, Camera& camera) {
+    if (const auto radius = object.optional("lens_radius")) {
+        camera.lensRadius = radius->numberIn(0.0, HUGE_VAL);
+    }
+    if (const auto distance = object.optional("focus_distance")) {
+        camera.focusDistance = distance->positiveNumber();
+    } else if (const auto target = object.optional("target")) {
+        camera.focusDistance = glm::dot(camera.forward, target->vector() - camera.position);
+    } else if (camera.lensRadius > 0.0) {
+        object.value().fail("lacks \"focus_distance\", which a camera with a \"lens_radius\" and "
+                            "without a \"target\" needs");
+    }
+}
+
 } // namespace
 
 Camera readCamera(const JsonValue& value) {
     const JsonObject object(value, {"type", "position", "target", "up", "matrix", "fov", "height",
                                     "lens_radius", "focus_distance"});
-    if (const auto type = object.optional("type")) {
-        static const std::array<std::string, 2> kTypes = {"perspective", "orthographic"};
-        if (type->choice(kTypes) == 1) {
-            failUnsupported(*type, "the type \"orthographic\"");
-        }
-    }
-    if (const auto height = object.optional("height")) {
-        height->fail("belongs to an orthographic camera; this one is in perspective and has "
-                     "\"fov\"");
-    }
-    if (const auto radius = object.optional("lens_radius"); radius && radius->number() != 0.0) {
-        failUnsupported(*radius, "a \"lens_radius\" other than 0");
-    }
-    if (const auto distance = object.optional("focus_distance")) {
-        distance->positiveNumber();
-    }
     Camera camera;
     if (const auto matrix = object.optional("matrix")) {
         for (const char* other : {"position", "target", "up"}) {
@@ -89,26 +118,19 @@ Camera readCamera(const JsonValue& value) {
     } else {
         placeByTarget(camera, object);
     }
-    const double fov = object.number("fov", kDefaultFov);
-    if (!(fov > 0.0 && fov < 180.0)) {
-        object.required("fov").fail("must be between 0 and 180 degrees, both excluded");
-    }
-    camera.verticalFov = fov * (std::numbers::pi / 180.0);
+    readView(object, camera);
+    readLens(object, camera);
     return camera;
 }
 
 FilmSettings readFilm(const JsonValue& value) {
     const JsonObject object(value, {"width", "height", "filter"});
-    if (const auto filter = object.optional("filter")) {
-        static const std::array<std::string, 4> kFilters = {"box", "tent", "gaussian",
-                                                            "blackman-harris"};
-        if (filter->choice(kFilters) != 0) {
-            failUnsupported(*filter, "a filter other than \"box\"");
-        }
-    }
     FilmSettings film;
     film.width = object.wholeNumber("width", 1, kLargestSide, film.width);
     film.height = object.wholeNumber("height", 1, kLargestSide, film.height);
+    if (const auto filter = object.optional("filter")) {
+        film.filter = static_cast<FilmFilter>(filter->choice(kFilters));
+    }
     return film;
 }
 

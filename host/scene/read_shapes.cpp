@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "scene/names.h"
 #include "scene/read_materials.h"
 #include "scene/read_mesh.h"
 #include "scene/read_polygons.h"
@@ -33,6 +34,15 @@ std::vector<std::string> keysOf(Type type) {
     return {"type", "material", "transform", "file", "materials", "normals", "displacement"};
 }
 
+/// Of a shape that is not a "mesh".
+void warnOfDisplacement(const Shape& shape, LoadContext& context) {
+    if (context.displacements[shape.material]) {
+        context.warn(shape.place, "the displacement of the material " +
+                                      inQuotes(context.scene.materials[shape.material].name) +
+                                      " moves meshes only; this shape stays as it is");
+    }
+}
+
 } // namespace
 
 Shape readShape(const JsonValue& value, LoadContext& context) {
@@ -45,9 +55,7 @@ Shape readShape(const JsonValue& value, LoadContext& context) {
         return shape;
     }
     shape.material = findMaterial(object.required("material"), context);
-    if (type == kTriangle || type == kQuad) {
-        object.refuse("uvs");
-    }
+    warnOfDisplacement(shape, context);
     switch (type) {
     case kSphere:
         shape.geometry = readSphere(object);
@@ -62,10 +70,10 @@ Shape readShape(const JsonValue& value, LoadContext& context) {
         shape.geometry = readDisk(object);
         break;
     case kTriangle:
-        shape.geometry = readTriangle(object, shape.material, context);
+        shape.geometry = readTriangle(object, shape.material, PolygonUse::Shape, context);
         break;
     case kQuad:
-        shape.geometry = readQuad(object, shape.material, context);
+        shape.geometry = readQuad(object, shape.material, PolygonUse::Shape, context);
         break;
     case kMesh:
         break;

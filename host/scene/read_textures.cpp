@@ -1,17 +1,74 @@
 #include "scene/read_textures.h"
 
 #include <algorithm>
+#include <array>
 
 #include "scene/names.h"
+#include "scene/read_color.h"
+#include "scene/texture_file.h"
 
 namespace calotype {
+namespace {
 
-void readTextures(const JsonValue& value, LoadContext&) {
+const std::array<std::string, 2> kTypes = {"image", "checker"};
+const std::array<std::string, 3> kWraps = {"repeat", "clamp", "mirror"};
+const std::array<std::string, 2> kFilters = {"bilinear", "nearest"};
+const std::array<std::string, 2> kColorSpaces = {"srgb", "linear"};
+enum Type { kImage };
+
+ImageTexture readImage(const JsonObject& object, LoadContext& context) {
+    ImageTexture image;
+    if (const auto wrap = object.optional("wrap")) {
+        image.wrap = static_cast<TextureWrap>(wrap->choice(kWraps));
+    }
+    if (const auto filter = object.optional("filter")) {
+        image.filter = static_cast<TextureFilter>(filter->choice(kFilters));
+    }
+    if (const auto space = object.optional("color_space")) {
+        image.decodesColor = space->choice(kColorSpaces) == 0;
+    }
+    const JsonValue file = object.required("file");
+    image.image = readTextureFile(file.text(), context.directory, file.where(), context).image;
+    if (!image.image) {
+        image.image = magentaImage();
+    }
+    return image;
+}
+
+CheckerTexture readChecker(const JsonObject& object) {
+    const std::vector<JsonValue> colors = object.required("colors").array(2);
+    return {{readReflectance(colors[0]), readReflectance(colors[1])}};
+}
+
+Texture readTexture(const JsonValue& value, const std::string& name, LoadContext& context) {
+    const size_t type = choiceAt(value, "type", kTypes);
+    const JsonObject object(value, type == kImage
+                                       ? std::vector<std::string>{"type", "scale", "file", "wrap",
+                                                                  "filter", "color_space"}
+                                       : std::vector<std::string>{"type", "scale", "colors"});
+    Texture texture;
+    texture.name = name;
+    if (const auto scale = object.optional("scale")) {
+        const std::vector<JsonValue> factors = scale->array(2);
+        texture.scale = {factors[0].positiveNumber(), factors[1].positiveNumber()};
+    }
+    if (type == kImage) {
+        texture.source = readImage(object, context);
+    } else {
+        texture.source = readChecker(object);
+    }
+    return texture;
+}
+
+} // namespace
+
+void readTextures(const JsonValue& value, LoadContext& context) {
     if (!value.json().is_object()) {
         value.fail("must be an object of textures by name");
     }
-    if (!value.json().empty()) {
-        failUnsupported(value, "an image or pattern in \"textures\"");
+    for (const auto& [name, unused] : value.json().items()) {
+        context.addTexture(readTexture(value.child(name), name, context));
+        context.textureNames.push_back(name);
     }
 }
 

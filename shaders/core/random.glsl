@@ -12,11 +12,12 @@ struct SampleId {
 
 // Each dimension is four numbers. A path's are laid out alike in every scene, so that leaving out a
 // feature leaves the other numbers as they are.
-const uint kDimensionCamera = 0u; ///< position in the pixel
+const uint kDimensionCamera = 0u; ///< position in the pixel and on the lens
 const uint kDimensionsBeforeBounces = 4u;
 const uint kDimensionsPerBounce = 4u;
 const uint kDimensionLight = 0u; ///< choice of light, two coordinates on it
-const uint kDimensionBsdf = 1u;  ///< direction of the next ray
+const uint kDimensionBsdf = 1u;  ///< direction of the next ray, choice of a lobe
+const uint kDimensionAlpha = 2u; ///< whether surfaces on the way to the next event let through
 
 uint bounceDimension(uint bounce, uint offset) {
     return kDimensionsBeforeBounces + kDimensionsPerBounce * bounce + offset;
@@ -44,6 +45,13 @@ vec4 unitFloats(uvec4 bits) { return vec4(bits >> 8u) * (1.0 / 16777216.0); }
 vec4 uniformRandom(SampleId id, uint dimension) {
     uint pixel = id.pixel.x | (id.pixel.y << 16u);
     return unitFloats(pcg4d(uvec4(pixel, id.sampleIndex, dimension, id.seed)));
+}
+
+/// One number in [0, 1), another for each `item` of a dimension.
+float uniformRandomOf(SampleId id, uint dimension, uint item) {
+    uint pixel = id.pixel.x | (id.pixel.y << 16u);
+    uvec4 bits = pcg4d(uvec4(pixel, id.sampleIndex, dimension, id.seed));
+    return unitFloats(pcg4d(uvec4(bits.xyz, item))).x;
 }
 
 #endif

@@ -1,15 +1,13 @@
-// The closed list of lights: any primitive may be one.
+// The closed list of lights: any primitive may be one, and so may the background.
 #ifndef CALOTYPE_LIGHTS_LIGHT_GLSL
 #define CALOTYPE_LIGHTS_LIGHT_GLSL
 
+#include "lights/background.glsl"
 #include "lights/quadric_light.glsl"
 #include "lights/sphere_light.glsl"
 #include "lights/triangle_light.glsl"
 #include "scene/buffers.glsl"
 #include "scene/features.glsl"
-
-const bool hasQuadricLights =
-    hasSphereLights || hasCylinderLights || hasConeLights || hasDiskLights;
 
 /// Picks a light by its selectionChance in constant time: a column of the alias table, then the
 /// column's own light or its alias (Walker 1974; Vose 1991). u.x picks the column, u.y within it.
@@ -23,9 +21,11 @@ bool isQuadricLight(Light light) {
     return hasQuadricLights && (!hasTriangleLights || (light.primitive & kQuadricBit) != 0u);
 }
 
+bool isBackground(Light light) { return hasBackground && light.primitive == kBackground; }
+
 bool isSphereLight(Quadric quadric) { return hasSphereLights && quadric.kind == kSphere; }
 
-/// A point on the light for lighting `reference`.
+/// A point on the light for lighting `reference`; of any light but the background.
 SurfaceSample sampleLight(Light light, vec3 reference, vec2 u) {
     if (isQuadricLight(light)) {
         Quadric quadric = loadQuadric(light.primitive & ~kQuadricBit);

@@ -6,6 +6,7 @@
 #include "core/warp.glsl"
 #include "lights/surface_sample.glsl"
 #include "shapes/quadric.glsl"
+#include "shapes/surface_coordinates.glsl"
 
 /// Uniform on the side and both caps, each chosen by its area.
 vec3 sampleCylinder(float radius, float height, vec2 u) {
@@ -59,7 +60,8 @@ SurfaceSample sampleQuadricLight(Quadric quadric, float area, vec3 reference, ve
         quadric.kind != kDisk && facesAway &&
         !isInsideQuadric(quadric, (reference - quadric.center) * worldFromQuadric(quadric));
     float pdf = hidden ? 0.0 : solidAnglePdf(area, reference, point.position, point.normal);
-    return SurfaceSample(point.position, point.error, point.normal, pdf);
+    vec2 uv = hasAlpha ? quadricCoordinates(quadric, local).uv : vec2(0.0);
+    return SurfaceSample(point.position, point.error, point.normal, pdf, uv);
 }
 
 #endif

@@ -8,6 +8,7 @@
 #include "core/trigonometry.glsl"
 #include "lights/surface_sample.glsl"
 #include "shapes/quadric.glsl"
+#include "shapes/surface_coordinates.glsl"
 
 /// 1 - cos of the half angle under which a sphere is seen, from sin^2; without cancellation.
 float oneMinusConeCosine(float sin2ThetaMax) {
@@ -50,9 +51,11 @@ SurfaceSample sampleSphereLight(Quadric sphere, float area, vec3 reference, vec2
     float distance2 = dot(toReference, toReference);
     vec3 axis = distance2 > 0.0 ? toReference * inversesqrt(distance2) : vec3(0.0, 1.0, 0.0);
     vec3 direction = worldFromLocal(axis) * vec3(sinAlpha * phi.y, sinAlpha * phi.x, cosAlpha);
-    QuadricPoint point = quadricPoint(sphere, direction * worldFromQuadric(sphere));
+    vec3 local = direction * worldFromQuadric(sphere);
+    QuadricPoint point = quadricPoint(sphere, local);
     float pdf = sphereLightPdf(sphere, area, reference, point.position, point.normal);
-    return SurfaceSample(point.position, point.error, point.normal, pdf);
+    vec2 uv = hasAlpha ? sphereCoordinates(local).uv : vec2(0.0);
+    return SurfaceSample(point.position, point.error, point.normal, pdf, uv);
 }
 
 #endif

@@ -7,6 +7,7 @@ struct SurfaceSample {
     float error; ///< bound on the distance along `normal` between `position` and the true surface
     vec3 normal; ///< of the front
     float pdf; ///< per solid angle at the reference point; 0 where the point cannot be seen from it
+    vec2 coordinates; ///< barycentrics on a triangle, texture coordinates on a quadric
 };
 
 /// A density per area, 1 / area, as one per solid angle (report eq. 1.36):

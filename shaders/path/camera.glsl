@@ -4,13 +4,25 @@
 
 #include "core/constants.glsl"
 #include "core/ray.glsl"
+#include "core/warp.glsl"
+#include "scene/features.glsl"
 #include "shared/scene_structs.h"
 
-/// Ray through a position on the film, in pixels from the top left corner. Unit direction.
-Ray cameraRay(Camera camera, vec2 filmPosition, uvec2 imageSize) {
+/// Ray through a position on the film, in pixels from the top left corner, from the point of the
+/// lens that `u` picks. All rays of a position meet in the plane in focus. Unit direction.
+Ray cameraRay(Camera camera, vec2 filmPosition, uvec2 imageSize, vec2 u) {
     vec2 ndc = 2.0 * filmPosition / vec2(imageSize) - 1.0;
-    vec3 direction = camera.forward + ndc.x * camera.right - ndc.y * camera.up;
-    return Ray(camera.position, kFar, normalize(direction));
+    vec3 onPlane = ndc.x * camera.right - ndc.y * camera.up;
+    bool orthographic = hasOrthographic && camera.isOrthographic != 0u;
+    vec3 origin = orthographic ? camera.position + onPlane : camera.position;
+    vec3 direction = orthographic ? camera.forward : camera.forward + onPlane;
+    if (hasLens) {
+        vec2 p = warpToDisk(u);
+        vec3 onLens = p.x * camera.lensRight + p.y * camera.lensUp;
+        origin += onLens;
+        direction -= onLens / camera.focusDistance;
+    }
+    return Ray(origin, kFar, normalize(direction));
 }
 
 #endif

@@ -3,16 +3,14 @@
 #ifndef CALOTYPE_PATH_PATH_GLSL
 #define CALOTYPE_PATH_PATH_GLSL
 
-#include "bsdf/bsdf.glsl"
-#include "core/random.glsl"
-#include "lights/light.glsl"
 #include "path/camera.glsl"
-#include "path/mis.glsl"
-#include "scene/interaction.glsl"
+#include "path/direct_light.glsl"
+#include "scene/film_filter.glsl"
 
 struct Path {
     SampleId id;
     Ray ray;         ///< unit direction
+    vec3 vertex;     ///< where the last event sent the ray from; the ray may have gone on since
     vec3 throughput; ///< product of the weights so far
     vec3 radiance;   ///< found so far
     uint bounce;     ///< scattering events so far
@@ -24,46 +22,68 @@ struct PathLimits {
     uint lightCount;
 };
 
-struct PathCost {
-    uint rays;
-    uint iterations; ///< see traverse
-};
-
 Path startPath(SampleId id, Camera camera, uvec2 imageSize) {
-    vec2 filmPosition = vec2(id.pixel) + uniformRandom(id, kDimensionCamera).xy;
-    return Path(id, cameraRay(camera, filmPosition, imageSize), vec3(1.0), vec3(0.0), 0u, 0.0);
+    vec4 u = uniformRandom(id, kDimensionCamera);
+    vec2 filmPosition = vec2(id.pixel) + sampleFilm(camera, u.xy);
+    Ray ray = cameraRay(camera, filmPosition, imageSize, u.zw);
+    return Path(id, ray, ray.origin, vec3(1.0), vec3(0.0), 0u, 0.0);
 }
 
-/// Light that the surface emits towards the ray's origin. After a scattering event the same light
-/// could have been found by directLight, so the two share it.
+/// Weight of light found at the end of the path's ray. After a scattering event the same light
+/// could have been found by directLight, with density `lightPdf`, so the two share it.
+float foundWeight(Path path, float lightPdf) {
+    return path.bounce == 0u ? 1.0 : misWeight(path.bsdfPdf, lightPdf);
+}
+
+/// Light that comes from beyond all surfaces.
+vec3 backgroundLight(Path path, uint lightCount) {
+    Light light = loadLight(lightCount - 1u);
+    return light.radiance * foundWeight(path, kBackgroundPdf * light.selectionChance);
+}
+
+/// Light that the surface emits towards the ray's origin.
 vec3 emittedLight(Path path, Interaction surface, Light light) {
-    vec3 radiance = emittedRadiance(light, surface.ng, -path.ray.direction);
-    if (path.bounce == 0u)
-        return radiance;
-    float pdf = lightPdf(light, path.ray.origin, surface.position, surface.ng);
-    return radiance * misWeight(path.bsdfPdf, pdf * light.selectionChance);
+    vec3 reference = hasAlpha ? path.vertex : path.ray.origin;
+    float pdf = lightPdf(light, reference, surface.position, surface.ng);
+    return emittedRadiance(light, surface.ng, -path.ray.direction) *
+           foundWeight(path, pdf * light.selectionChance);
 }
 
-/// Light from one point on one emitter, reflected towards the viewer. `origin` is the surface point
-/// moved off the surface on the viewer's side.
-vec3 directLight(Path path, Bsdf bsdf, vec3 origin, uint lightCount, inout PathCost cost) {
-    vec4 u = uniformRandom(path.id, bounceDimension(path.bounce, kDimensionLight));
-    Light light = loadLight(chooseLight(lightCount, u.xy));
-    SurfaceSample point = sampleLight(light, origin, u.zw);
-    vec3 toLight = point.position - origin;
-    vec3 wi = toLight * inversesqrt(dot(toLight, toLight));
-    vec3 reflected = evaluateBsdf(bsdf, wi) * emittedRadiance(light, point.normal, -wi);
-    if (point.pdf <= 0.0 || max(max(reflected.x, reflected.y), reflected.z) <= 0.0)
-        return vec3(0.0);
-    vec3 facing = dot(toLight, point.normal) > 0.0 ? -point.normal : point.normal;
-    vec3 target = offsetFromSurface(point.position, point.error, facing);
-    cost.rays++;
-    float distanceToTarget = length(target - origin);
-    Ray shadowRay = Ray(origin, distanceToTarget, (target - origin) / distanceToTarget);
-    if (isOccluded(shadowRay, light.primitive, cost.iterations))
-        return vec3(0.0);
-    float pdf = point.pdf * light.selectionChance;
-    return reflected * (misWeight(pdf, bsdfPdf(bsdf, wi)) / pdf);
+/// True where the path goes on as if the surface were not there. A ray that enters and leaves the
+/// same primitive asks twice, so the sides have numbers of their own.
+bool passesThrough(Path path, Interaction surface) {
+    bool passes = false;
+    if (hasHiddenLights && path.bounce == 0u && surface.light != kNone)
+        passes = (loadLight(surface.light).flags & kLightHiddenFromCamera) != 0u;
+    if (hasAlpha && (surface.material & kTransparentBit) != 0u) {
+        uint fromBehind = dot(path.ray.direction, surface.ng) > 0.0 ? 1u : 0u;
+        float u = uniformRandomOf(path.id, bounceDimension(path.bounce, kDimensionAlpha),
+                                  2u * surface.id + fromBehind);
+        passes = passes || u >= alphaAt(materialOf(surface), surface.coordinates.uv);
+    }
+    return passes;
+}
+
+/// Lights the surface and sends the path on. False where it ends.
+bool scatter(inout Path path, Interaction surface, PathLimits limits, inout PathCost cost) {
+    vec3 wo = -path.ray.direction;
+    SurfaceParameters parameters = surfaceParameters(materialOf(surface), surface);
+    Bsdf bsdf = makeBsdf(parameters, surface.ng, surface.ns, surface.horizon, wo);
+    vec3 origin = offsetFromSurface(surface.position + surface.toSmooth, surface.error, bsdf.ng);
+    if (hasLights && !isSpecular(bsdf)) {
+        vec4 uLight = uniformRandom(path.id, bounceDimension(path.bounce, kDimensionLight));
+        path.radiance +=
+            path.throughput * directLight(bsdf, origin, uLight, limits.lightCount, cost);
+    }
+    vec3 u = uniformRandom(path.id, bounceDimension(path.bounce, kDimensionBsdf)).xyz;
+    BsdfSample scattered = sampleBsdf(bsdf, u);
+    path.throughput *= scattered.weight;
+    path.vertex =
+        scattered.crosses ? offsetFromSurface(surface.position, surface.error, -bsdf.ng) : origin;
+    path.ray = Ray(path.vertex, kFar, scattered.wi);
+    path.bsdfPdf = scattered.pdf;
+    path.bounce++;
+    return greatest(path.throughput) > 0.0;
 }
 
 /// Follows the ray to the next surface, takes in the light there and scatters. False where the path
@@ -71,32 +91,21 @@ vec3 directLight(Path path, Bsdf bsdf, vec3 origin, uint lightCount, inout PathC
 bool extendPath(inout Path path, PathLimits limits, inout PathCost cost) {
     cost.rays++;
     Hit hit = intersectClosest(path.ray, cost.iterations);
-    if (hit.primitive == kNone)
+    if (hit.primitive == kNone) {
+        if (hasBackground)
+            path.radiance += path.throughput * backgroundLight(path, limits.lightCount);
         return false;
-    Interaction surface = interactionAt(hit, path.ray);
-    vec3 wo = -path.ray.direction;
-    if (hasLights && surface.light != kNone) {
-        Light light = loadLight(surface.light);
-        if (hasHiddenLights && path.bounce == 0u && (light.flags & kLightHiddenFromCamera) != 0u) {
-            vec3 beyond = dot(wo, surface.ng) > 0.0 ? -surface.ng : surface.ng;
-            path.ray.origin = offsetFromSurface(surface.position, surface.error, beyond);
-            return true;
-        }
-        path.radiance += path.throughput * emittedLight(path, surface, light);
     }
+    Interaction surface = interactionAt(hit, path.ray);
+    if (passesThrough(path, surface)) {
+        path.ray.origin = pointBeyond(surface, path.ray.direction);
+        return true;
+    }
+    if (hasLights && surface.light != kNone)
+        path.radiance += path.throughput * emittedLight(path, surface, loadLight(surface.light));
     if (path.bounce == limits.maxBounces)
         return false;
-    Bsdf bsdf = makeBsdf(loadMaterial(surface.material), surface.ng, surface.ns, wo);
-    vec3 origin = offsetFromSurface(surface.position, surface.error, bsdf.ng);
-    if (hasLights)
-        path.radiance += path.throughput * directLight(path, bsdf, origin, limits.lightCount, cost);
-    vec2 u = uniformRandom(path.id, bounceDimension(path.bounce, kDimensionBsdf)).xy;
-    BsdfSample scattered = sampleBsdf(bsdf, u);
-    path.throughput *= scattered.weight;
-    path.ray = Ray(origin, kFar, scattered.wi);
-    path.bsdfPdf = scattered.pdf;
-    path.bounce++;
-    return max(max(path.throughput.x, path.throughput.y), path.throughput.z) > 0.0;
+    return scatter(path, surface, limits, cost);
 }
 
 #endif

@@ -9,9 +9,13 @@
 layout(set = 0, binding = kBindingNodes) uniform usamplerBuffer nodeRows;
 layout(set = 0, binding = kBindingTriangles) uniform usamplerBuffer triangleRows;
 layout(set = 0, binding = kBindingTriangleNormals) uniform usamplerBuffer triangleNormalRows;
+layout(set = 0, binding = kBindingTriangleUvs) uniform usamplerBuffer triangleUvRows;
 layout(set = 0, binding = kBindingQuadrics) uniform usamplerBuffer quadricRows;
 layout(set = 0, binding = kBindingMaterials) uniform usamplerBuffer materialRows;
+layout(set = 0, binding = kBindingTextures) uniform usamplerBuffer textureRows;
+layout(set = 0, binding = kBindingTexels) uniform usamplerBuffer texelRows;
 layout(set = 0, binding = kBindingLights) uniform usamplerBuffer lightRows;
+layout(set = 0, binding = kBindingFilter) uniform usamplerBuffer filterRows;
 
 vec3 floats(uvec4 row) { return uintBitsToFloat(row.xyz); }
 
@@ -35,6 +39,12 @@ TriangleNormals loadTriangleNormals(uint index) {
     return TriangleNormals(floats(row0), row0.w, floats(row1), row1.w, floats(row2), row2.w);
 }
 
+TriangleUvs loadTriangleUvs(uint index) {
+    vec4 row0 = uintBitsToFloat(texelFetch(triangleUvRows, int(2u * index)));
+    uvec4 row1 = texelFetch(triangleUvRows, int(2u * index + 1u));
+    return TriangleUvs(row0.xy, row0.zw, uintBitsToFloat(row1.xy), row1.z, row1.w);
+}
+
 Quadric loadQuadric(uint index) {
     uvec4 row0 = texelFetch(quadricRows, int(5u * index));
     uvec4 row1 = texelFetch(quadricRows, int(5u * index + 1u));
@@ -47,8 +57,23 @@ Quadric loadQuadric(uint index) {
 }
 
 Material loadMaterial(uint index) {
-    uvec4 row0 = texelFetch(materialRows, int(index));
-    return Material(floats(row0), row0.w);
+    uvec4 row0 = texelFetch(materialRows, int(4u * index));
+    uvec4 row1 = texelFetch(materialRows, int(4u * index + 1u));
+    uvec4 row2 = texelFetch(materialRows, int(4u * index + 2u));
+    uvec4 row3 = texelFetch(materialRows, int(4u * index + 3u));
+    return Material(floats(row0), row0.w, uintBitsToFloat(row1.x), row1.y, uintBitsToFloat(row1.z),
+                    row1.w, row2.x, row2.y, row2.z, uintBitsToFloat(row2.w),
+                    uintBitsToFloat(row3.x), uintBitsToFloat(row3.y), uintBitsToFloat(row3.z),
+                    row3.w);
+}
+
+Texture loadTexture(uint index) {
+    vec4 row0 = uintBitsToFloat(texelFetch(textureRows, int(4u * index)));
+    uvec4 row1 = texelFetch(textureRows, int(4u * index + 1u));
+    uvec4 row2 = texelFetch(textureRows, int(4u * index + 2u));
+    uvec4 row3 = texelFetch(textureRows, int(4u * index + 3u));
+    return Texture(row0.xy, row0.zw, row1.x, row1.y, row1.z, row1.w, floats(row2), row2.w,
+                   floats(row3), row3.w);
 }
 
 Light loadLight(uint index) {
@@ -57,6 +82,12 @@ Light loadLight(uint index) {
     uvec4 row2 = texelFetch(lightRows, int(3u * index + 2u));
     return Light(floats(row0), row0.w, uintBitsToFloat(row1.x), uintBitsToFloat(row1.y),
                  uintBitsToFloat(row1.z), row1.w, row2.x, row2.y, row2.z, row2.w);
+}
+
+/// Entry `step` of the table of the film filter's quantiles.
+float loadFilterQuantile(uint step) {
+    uvec4 row = texelFetch(filterRows, int(step >> 2u));
+    return uintBitsToFloat(row[step & 3u]);
 }
 
 #endif

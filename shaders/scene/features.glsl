@@ -16,9 +16,27 @@ layout(constant_id = kFeatureCylinderLights) const bool hasCylinderLights = true
 layout(constant_id = kFeatureConeLights) const bool hasConeLights = true;
 layout(constant_id = kFeatureDiskLights) const bool hasDiskLights = true;
 layout(constant_id = kFeatureHiddenLights) const bool hasHiddenLights = true;
+layout(constant_id = kFeatureBackground) const bool hasBackground = true;
+layout(constant_id = kFeatureDiffuse) const bool hasDiffuse = true;
+layout(constant_id = kFeatureGgx) const bool hasGgx = true;
+layout(constant_id = kFeatureMirrors) const bool hasMirrors = true;
+layout(constant_id = kFeatureBlinnPhong) const bool hasBlinnPhong = true;
+layout(constant_id = kFeatureDielectrics) const bool hasDielectrics = true;
+layout(constant_id = kFeatureColorTextures) const bool hasColorTextures = true;
+layout(constant_id = kFeatureScalarTextures) const bool hasScalarTextures = true;
+layout(constant_id = kFeatureNormalMaps) const bool hasNormalMaps = true;
+layout(constant_id = kFeatureAlpha) const bool hasAlpha = true;
+layout(constant_id = kFeatureByteTexels) const bool hasByteTexels = true;
+layout(constant_id = kFeatureFloatTexels) const bool hasFloatTexels = true;
+layout(constant_id = kFeatureCheckers) const bool hasCheckers = true;
+layout(constant_id = kFeatureFilter) const bool hasFilter = true;
+layout(constant_id = kFeatureLens) const bool hasLens = true;
+layout(constant_id = kFeatureOrthographic) const bool hasOrthographic = true;
 
 const bool hasQuadrics = hasSpheres || hasCylinders || hasCones || hasDisks;
-const bool hasLights =
-    hasTriangleLights || hasSphereLights || hasCylinderLights || hasConeLights || hasDiskLights;
+const bool hasQuadricLights =
+    hasSphereLights || hasCylinderLights || hasConeLights || hasDiskLights;
+const bool hasLights = hasTriangleLights || hasQuadricLights || hasBackground;
+const bool hasTextures = hasColorTextures || hasScalarTextures || hasNormalMaps || hasAlpha;
 
 #endif

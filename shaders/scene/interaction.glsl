@@ -3,17 +3,39 @@
 #define CALOTYPE_SCENE_INTERACTION_GLSL
 
 #include "scene/traversal.glsl"
+#include "shapes/surface_coordinates.glsl"
+#include "shapes/terminator.glsl"
 #include "shapes/triangle_point.glsl"
 
 struct Interaction {
     vec3 position;
-    float error; ///< bound on the distance along ng between `position` and the true surface
-    vec3 ng;     ///< unit geometric normal, outward
-    vec3 ns;     ///< unit shading normal, on the side of ng
-    uint material;
-    uint light; ///< or kNone
-    uint id;    ///< the primitive's number in the scene file
+    float error;   ///< bound on the distance along ng between `position` and the true surface
+    vec3 ng;       ///< unit geometric normal, outward
+    vec3 ns;       ///< unit shading normal, on the side of ng
+    vec3 horizon;  ///< unit normal below which the surface cannot be lit: ng, or ns where smooth
+    vec3 toSmooth; ///< from `position` to where light leaves towards the ray's side
+    SurfaceCoordinates coordinates;
+    uint material; ///< index, with kTransparentBit
+    uint light;    ///< or kNone
+    uint id;       ///< the primitive's number in the scene file
 };
+
+/// The interpolated normal, and how far the smooth surface stands off the triangle.
+void smoothen(inout Interaction surface, Triangle triangle, TriangleNormals normals,
+              vec2 barycentrics, vec3 direction) {
+    vec3 n = (1.0 - barycentrics.x - barycentrics.y) * normals.n0 + barycentrics.x * normals.n1 +
+             barycentrics.y * normals.n2;
+    float nn = dot(n, n);
+    n = nn > 0.0 ? n * inversesqrt(nn) : surface.ng;
+    float outward = dot(n, surface.ng) < 0.0 ? -1.0 : 1.0;
+    float side = dot(direction, surface.ng) > 0.0 ? -1.0 : 1.0;
+    surface.ns = outward * n;
+    vec3 offset =
+        terminatorOffset(triangle, normals, surface.position, barycentrics, outward * side);
+    bool isConvex = side * dot(offset, surface.ng) > 0.0;
+    surface.toSmooth = isConvex ? offset : vec3(0.0);
+    surface.horizon = isConvex ? surface.ns : surface.ng;
+}
 
 /// The point is taken from the barycentrics, the base corner added last: its error is relative to
 /// the triangle, not to the length of the ray (Pharr, Jakob and Humphreys, PBR 3.9 and 6.8).
@@ -31,13 +53,12 @@ Interaction triangleInteraction(uint index, Ray ray) {
     surface.ng = triangleNormal(edge1, edge2);
     surface.error = triangleError(surface.position, along1, along2, surface.ng);
     surface.ns = surface.ng;
-    if (hasSmoothNormals) {
-        TriangleNormals normals = loadTriangleNormals(index);
-        vec3 n = (1.0 - b.x - b.y) * normals.n0 + b.x * normals.n1 + b.y * normals.n2;
-        float nn = dot(n, n);
-        n = nn > 0.0 ? n * inversesqrt(nn) : surface.ng;
-        surface.ns = dot(n, surface.ng) < 0.0 ? -n : n;
-    }
+    surface.horizon = surface.ng;
+    surface.toSmooth = vec3(0.0);
+    if (hasSmoothNormals)
+        smoothen(surface, triangle, loadTriangleNormals(index), b, ray.direction);
+    if (hasTextures)
+        surface.coordinates = triangleCoordinates(loadTriangleUvs(index), b, edge1, edge2);
     surface.material = triangle.material;
     surface.light = triangle.light;
     surface.id = triangle.id;
@@ -46,10 +67,25 @@ Interaction triangleInteraction(uint index, Ray ray) {
 
 Interaction quadricInteraction(uint index, Ray ray, float t) {
     Quadric quadric = loadQuadric(index);
-    vec3 local = (ray.origin - quadric.center + t * ray.direction) * worldFromQuadric(quadric);
+    mat3 frame = worldFromQuadric(quadric);
+    vec3 local = (ray.origin - quadric.center + t * ray.direction) * frame;
     QuadricPoint point = quadricPoint(quadric, local);
-    return Interaction(point.position, point.error, point.normal, point.normal, quadric.material,
-                       quadric.light, quadric.id);
+    Interaction surface;
+    surface.position = point.position;
+    surface.error = point.error;
+    surface.ng = point.normal;
+    surface.ns = point.normal;
+    surface.horizon = point.normal;
+    surface.toSmooth = vec3(0.0);
+    if (hasTextures) {
+        surface.coordinates = quadricCoordinates(quadric, local);
+        surface.coordinates.dpdu = frame * surface.coordinates.dpdu;
+        surface.coordinates.dpdv = frame * surface.coordinates.dpdv;
+    }
+    surface.material = quadric.material;
+    surface.light = quadric.light;
+    surface.id = quadric.id;
+    return surface;
 }
 
 Interaction interactionAt(Hit hit, Ray ray) {

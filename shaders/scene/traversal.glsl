@@ -21,6 +21,7 @@
 struct Hit {
     float t;
     uint primitive; ///< as kQuadricBit says; kNone for no hit
+    uint material;  ///< index, with kTransparentBit
 };
 
 struct NodeRay {
@@ -39,15 +40,20 @@ float enterNode(NodeRay ray, BvhNode node, float tMax) {
     return enter <= leave ? enter : kFar;
 }
 
-/// Parameter of the ray's crossing with one primitive, or kFar.
-float intersectPrimitive(uint primitive, Ray ray, ShearedRay sheared) {
+/// The ray's crossing with one primitive; t is kFar where there is none.
+Hit intersectPrimitive(uint primitive, Ray ray, ShearedRay sheared) {
     if (hasQuadrics && (!hasTriangles || (primitive & kQuadricBit) != 0u)) {
         Quadric quadric = loadQuadric(primitive & ~kQuadricBit);
-        return intersectQuadric(quadric, ray.origin, ray.direction);
+        float t = intersectQuadric(quadric, ray.origin, ray.direction);
+        return Hit(t, primitive, quadric.material);
     }
     Triangle triangle = loadTriangle(primitive);
-    return intersectTriangle(sheared, triangle.v0, triangle.v1, triangle.v2).t;
+    float t = intersectTriangle(sheared, triangle.v0, triangle.v1, triangle.v2).t;
+    return Hit(t, primitive, triangle.material);
 }
+
+/// True where the hit may let light through.
+bool isTransparent(Hit hit) { return hasAlpha && (hit.material & kTransparentBit) != 0u; }
 
 // What is left to visit is kept in one word: a node's `first` with `count` in the bits that neither
 // indices nor kQuadricBit use, so that taking it up again costs no fetch. kNone is the end.
@@ -57,7 +63,7 @@ const uint kCountMask = 7u << kCountShift;
 uint contentsOf(BvhNode node) { return node.first | (node.count << kCountShift); }
 
 /// Walks the tree: down to a leaf, nearer child first, then through the leaf's primitives, then on
-/// with what was put aside last. `anyHit` ends at the first hit; `skipped` is never hit.
+/// with what was put aside last. `anyHit` ends at the first opaque hit; `skipped` is never hit.
 ///
 /// `iterations` counts what llvmpipe has a limit on: the passes through loop bodies, and the last
 /// look at a loop's condition, of the subgroup as a whole; hence the maxima after each loop. Both
@@ -65,7 +71,7 @@ uint contentsOf(BvhNode node) { return node.first | (node.count << kCountShift);
 Hit traverse(Ray ray, bool anyHit, uint skipped, inout uint iterations) {
     NodeRay nodeRay = NodeRay(ray.origin, safeReciprocal(ray.direction));
     ShearedRay sheared = shearedRay(ray.origin, ray.direction);
-    Hit hit = Hit(ray.tMax, kNone);
+    Hit hit = Hit(ray.tMax, kNone, 0u);
     uint stack[kMaxBvhDepth + 2u]; // the end, one a level, and one beyond that is read in vain
     stack[0] = kNone;
     uint stackSize = 1u;
@@ -91,15 +97,16 @@ Hit traverse(Ray ray, bool anyHit, uint skipped, inout uint iterations) {
         uint count = contents == kNone ? 0u : (contents & kCountMask) >> kCountShift;
         uint first = contents & ~kCountMask;
         for (uint i = 0u; i < count; ++i) {
-            uint primitive = first + i;
-            float t = intersectPrimitive(primitive, ray, sheared);
-            bool nearest = t < hit.t && primitive != skipped;
-            hit.t = nearest ? t : hit.t;
-            hit.primitive = nearest ? primitive : hit.primitive;
+            Hit crossing = intersectPrimitive(first + i, ray, sheared);
+            bool nearest = crossing.t < hit.t && crossing.primitive != skipped;
+            hit.t = nearest ? crossing.t : hit.t;
+            hit.primitive = nearest ? crossing.primitive : hit.primitive;
+            hit.material = nearest ? crossing.material : hit.material;
             iterations++;
         }
         iterations = subgroupMax(iterations) + 2u;
-        bool ended = contents == kNone || (anyHit && hit.primitive != kNone);
+        bool isEnough = anyHit && hit.primitive != kNone && !isTransparent(hit);
+        bool ended = contents == kNone || isEnough;
         stackSize -= ended ? 0u : 1u;
         contents = ended ? kNone : stack[stackSize];
     } while (contents != kNone);
@@ -111,9 +118,9 @@ Hit intersectClosest(Ray ray, inout uint iterations) {
     return traverse(ray, false, kNone, iterations);
 }
 
-/// True if anything but the primitive `target` lies between the ray's ends.
-bool isOccluded(Ray ray, uint target, inout uint iterations) {
-    return traverse(ray, true, target, iterations).primitive != kNone;
+/// Some opaque primitive but `target` between the ray's ends, else the nearest that is transparent.
+Hit intersectAny(Ray ray, uint target, inout uint iterations) {
+    return traverse(ray, true, target, iterations);
 }
 
 #endif

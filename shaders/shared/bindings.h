@@ -10,14 +10,18 @@ CALOTYPE_BEGIN_SHARED
 CALOTYPE_CONSTANT uint kBindingNodes = 0;
 CALOTYPE_CONSTANT uint kBindingTriangles = 1;
 CALOTYPE_CONSTANT uint kBindingTriangleNormals = 2;
-CALOTYPE_CONSTANT uint kBindingQuadrics = 3;
-CALOTYPE_CONSTANT uint kBindingMaterials = 4;
-CALOTYPE_CONSTANT uint kBindingLights = 5;
-CALOTYPE_CONSTANT uint kSceneBindingCount = 6;
+CALOTYPE_CONSTANT uint kBindingTriangleUvs = 3;
+CALOTYPE_CONSTANT uint kBindingQuadrics = 4;
+CALOTYPE_CONSTANT uint kBindingMaterials = 5;
+CALOTYPE_CONSTANT uint kBindingTextures = 6;
+CALOTYPE_CONSTANT uint kBindingTexels = 7;
+CALOTYPE_CONSTANT uint kBindingLights = 8;
+CALOTYPE_CONSTANT uint kBindingFilter = 9;
+CALOTYPE_CONSTANT uint kSceneBindingCount = 10;
 
-CALOTYPE_CONSTANT uint kBindingCamera = 6;   ///< uniform buffer
-CALOTYPE_CONSTANT uint kBindingBlock = 7;    ///< storage image
-CALOTYPE_CONSTANT uint kBindingCounters = 8; ///< storage buffer
+CALOTYPE_CONSTANT uint kBindingCamera = 10;   ///< uniform buffer
+CALOTYPE_CONSTANT uint kBindingBlock = 11;    ///< storage image
+CALOTYPE_CONSTANT uint kBindingCounters = 12; ///< storage buffer
 
 // Scene features: what the kernel is specialised for. All default to true.
 CALOTYPE_CONSTANT uint kFeatureTriangles = 0;
@@ -32,7 +36,23 @@ CALOTYPE_CONSTANT uint kFeatureCylinderLights = 8;
 CALOTYPE_CONSTANT uint kFeatureConeLights = 9;
 CALOTYPE_CONSTANT uint kFeatureDiskLights = 10;
 CALOTYPE_CONSTANT uint kFeatureHiddenLights = 11;
-CALOTYPE_CONSTANT uint kFeatureCount = 12;
+CALOTYPE_CONSTANT uint kFeatureBackground = 12;
+CALOTYPE_CONSTANT uint kFeatureDiffuse = 13;
+CALOTYPE_CONSTANT uint kFeatureGgx = 14;
+CALOTYPE_CONSTANT uint kFeatureMirrors = 15; ///< GGX of (almost) no roughness
+CALOTYPE_CONSTANT uint kFeatureBlinnPhong = 16;
+CALOTYPE_CONSTANT uint kFeatureDielectrics = 17;
+CALOTYPE_CONSTANT uint kFeatureColorTextures = 18;
+CALOTYPE_CONSTANT uint kFeatureScalarTextures = 19; ///< of roughness and specular
+CALOTYPE_CONSTANT uint kFeatureNormalMaps = 20;
+CALOTYPE_CONSTANT uint kFeatureAlpha = 21;
+CALOTYPE_CONSTANT uint kFeatureByteTexels = 22;
+CALOTYPE_CONSTANT uint kFeatureFloatTexels = 23;
+CALOTYPE_CONSTANT uint kFeatureCheckers = 24;
+CALOTYPE_CONSTANT uint kFeatureFilter = 25; ///< any but the box
+CALOTYPE_CONSTANT uint kFeatureLens = 26;
+CALOTYPE_CONSTANT uint kFeatureOrthographic = 27;
+CALOTYPE_CONSTANT uint kFeatureCount = 28;
 
 CALOTYPE_END_SHARED
 

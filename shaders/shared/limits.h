@@ -18,6 +18,13 @@ CALOTYPE_CONSTANT uint kMaxBvhDepth = 32;
 /// Primitives in a leaf, at most.
 CALOTYPE_CONSTANT uint kMaxLeafPrimitives = 4;
 
+/// Steps of the table of the film filter's quantiles.
+CALOTYPE_CONSTANT uint kFilterSteps = 1023;
+
+/// GGX lobes of a smaller alpha (roughness below 0.01) are mirrors: float resolves no narrower
+/// ones.
+CALOTYPE_CONSTANT float kMirrorAlpha = 1e-4f;
+
 CALOTYPE_END_SHARED
 
 #endif

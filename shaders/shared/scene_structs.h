@@ -14,6 +14,9 @@ CALOTYPE_CONSTANT uint kNone = 0xFFFFFFFFu;
 /// A primitive is named by its index among the triangles, or, with this bit, among the quadrics.
 CALOTYPE_CONSTANT uint kQuadricBit = 0x80000000u;
 
+/// In a primitive's `material`: light may pass through it.
+CALOTYPE_CONSTANT uint kTransparentBit = 0x80000000u;
+
 /// Inner node: children at `first` and `first + 1`, `count` is 0. Leaf: `count` primitives named
 /// `first`, `first + 1`, ..., all triangles or all quadrics.
 struct BvhNode {
@@ -26,7 +29,7 @@ struct BvhNode {
 /// The corners are bit-identical where triangles share them: watertightness rests on it.
 struct Triangle {
     vec3 v0;
-    uint material;
+    uint material; ///< index, with kTransparentBit
     vec3 v1;
     uint light; ///< index of its light, or kNone
     vec3 v2;
@@ -41,6 +44,15 @@ struct TriangleNormals {
     uint pad1;
     vec3 n2;
     uint pad2;
+};
+
+/// Texture coordinates at the corners of the triangle of the same index.
+struct TriangleUvs {
+    vec2 uv0;
+    vec2 uv1;
+    vec2 uv2;
+    uint pad0;
+    uint pad1;
 };
 
 CALOTYPE_CONSTANT uint kSphere = 0;
@@ -58,18 +70,66 @@ struct Quadric {
     vec3 axisY;
     uint kind;
     vec3 axisZ;
-    float slope; ///< of a cone: radius / |y|
-    uint material;
+    float slope;   ///< of a cone: radius / |y|
+    uint material; ///< index, with kTransparentBit
     uint light;
     uint id;
     uint pad0;
 };
 
-/// Lambertian reflectance.
+// The lobes that a material is made of. At most one of GGX and Blinn-Phong; a dielectric has none.
+CALOTYPE_CONSTANT uint kLobeDiffuse = 1u;
+CALOTYPE_CONSTANT uint kLobeGgx = 2u;
+CALOTYPE_CONSTANT uint kLobeBlinnPhong = 4u;
+CALOTYPE_CONSTANT uint kLobeDielectric = 8u;
+// How its numbers are read.
+CALOTYPE_CONSTANT uint kColorIsF0 = 16u;      ///< GGX of a metal, else F0 is `specular`
+CALOTYPE_CONSTANT uint kSmithMasking = 32u;   ///< GGX
+CALOTYPE_CONSTANT uint kNormalizedLobe = 64u; ///< Blinn-Phong
+
+/// A texture, where there is one, multiplies the number beside it.
 struct Material {
-    vec3 color;
+    vec3 color; ///< reflectance, F0 or tint
+    uint colorTexture;
+    float roughness;
+    uint roughnessTexture;
+    float specular; ///< F0 of a nonmetal, ks of Blinn-Phong
+    uint specularTexture;
+    uint lobes;
+    uint normalMap;
+    uint alphaTexture;
+    float opacity;
+    float kd;       ///< Blinn-Phong: weight of the diffuse lobe
+    float exponent; ///< Blinn-Phong
+    float eta;      ///< dielectric: index of refraction inside over outside
     uint pad0;
 };
+
+// A texture's `flags`.
+CALOTYPE_CONSTANT uint kTextureIsChecker = 1u;
+CALOTYPE_CONSTANT uint kTextureHoldsFloats = 2u; ///< one texel a row, else four of 8-bit RGBA
+CALOTYPE_CONSTANT uint kTextureIsEncoded = 4u;   ///< colours are sRGB-encoded
+CALOTYPE_CONSTANT uint kTextureIsNearest = 8u;
+CALOTYPE_CONSTANT uint kTextureClamps = 16u;
+CALOTYPE_CONSTANT uint kTextureMirrors = 32u;
+
+/// An image, or a checker of two colours.
+struct Texture {
+    vec2 scale; ///< read at uv * scale + offset
+    vec2 offset;
+    uint firstRow; ///< of its texels
+    uint width;
+    uint height;
+    uint flags;
+    vec3 color0;
+    uint pad0;
+    vec3 color1;
+    uint pad1;
+};
+
+/// A light's `primitive` where it is the background: all directions, far away. It is the last
+/// light.
+CALOTYPE_CONSTANT uint kBackground = 0xFFFFFFFFu;
 
 CALOTYPE_CONSTANT uint kLightEmitsFromBack = 1u;
 CALOTYPE_CONSTANT uint kLightHiddenFromCamera = 2u;
@@ -88,17 +148,21 @@ struct Light {
     uint pad2;
 };
 
-/// Pinhole camera at `position`; `right` and `up` reach from the centre of the image plane, one
-/// unit along `forward`, to its edges.
+/// Perspective: `right` and `up` reach from the centre of the image plane, one unit along
+/// `forward`, to its edges. Orthographic: they reach from `position` to the edges of the view.
 struct Camera {
     vec3 position;
-    uint pad0;
+    float focusDistance; ///< along forward, metres
     vec3 right;
-    uint pad1;
+    uint isOrthographic;
     vec3 up;
-    uint pad2;
+    uint filterIsBox; ///< of the film; else it is the table's
     vec3 forward;
-    uint pad3;
+    uint pad0;
+    vec3 lensRight; ///< the lens's radius along right and up; zero for a pinhole
+    uint pad1;
+    vec3 lensUp;
+    uint pad2;
 };
 
 CALOTYPE_END_SHARED
@@ -108,10 +172,12 @@ namespace calotype::gpu {
 static_assert(sizeof(BvhNode) == 32);
 static_assert(sizeof(Triangle) == 48);
 static_assert(sizeof(TriangleNormals) == 48);
+static_assert(sizeof(TriangleUvs) == 32);
 static_assert(sizeof(Quadric) == 80);
-static_assert(sizeof(Material) == 16);
+static_assert(sizeof(Material) == 64);
+static_assert(sizeof(Texture) == 64);
 static_assert(sizeof(Light) == 48);
-static_assert(sizeof(Camera) == 64);
+static_assert(sizeof(Camera) == 96);
 } // namespace calotype::gpu
 #endif
 

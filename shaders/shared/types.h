@@ -12,6 +12,7 @@
 namespace calotype::gpu {
 using glm::uvec2;
 using glm::uvec4;
+using glm::vec2;
 using glm::vec3;
 using glm::vec4;
 using uint = uint32_t;

@@ -1,3 +1,4 @@
+#include <array>
 #include <cstring>
 
 #include "gpu/kernels/test_structs.h"
@@ -43,9 +44,14 @@ TEST_F(Layout, IsTheSameInHostAndKernel) {
     scene.nodes = {{}, distinct.make<gpu::BvhNode>()};
     scene.triangles = {{}, distinct.make<gpu::Triangle>()};
     scene.triangleNormals = {{}, distinct.make<gpu::TriangleNormals>()};
+    scene.triangleUvs = {{}, distinct.make<gpu::TriangleUvs>()};
     scene.quadrics = {{}, distinct.make<gpu::Quadric>()};
     scene.materials = {{}, distinct.make<gpu::Material>()};
+    scene.textures = {{}, distinct.make<gpu::Texture>()};
+    scene.texelRows = {{}};
     scene.lights = {{}, distinct.make<gpu::Light>()};
+    const auto quantiles = distinct.make<std::array<float, 4>>();
+    scene.filterQuantiles = {quantiles.begin(), quantiles.end()};
     const auto camera = distinct.make<gpu::Camera>();
     const auto parameters = distinct.make<gpu::RenderParameters>();
     const auto counters = distinct.make<gpu::RenderCounters>();

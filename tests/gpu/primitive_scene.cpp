@@ -23,9 +23,13 @@ GpuScene complete(GpuScene scene) {
     fillIfEmpty(scene.nodes);
     fillIfEmpty(scene.triangles);
     scene.triangleNormals.resize(scene.triangles.size());
+    scene.triangleUvs.resize(scene.triangles.size());
     fillIfEmpty(scene.quadrics);
     fillIfEmpty(scene.materials);
+    fillIfEmpty(scene.textures);
+    fillIfEmpty(scene.texelRows);
     fillIfEmpty(scene.lights);
+    fillIfEmpty(scene.filterQuantiles);
     return scene;
 }
 

@@ -91,11 +91,12 @@ TEST_F(SceneMesh, MtlGivesColourAndEmission) {
 
 TEST_F(SceneMesh, OneWarningNamesWhatTheMtlAsksForInVain) {
     files_.write("m.obj", kTwoMaterials);
-    files_.write("m.mtl", "newmtl leg\nKd 0.1\nmap_Kd oak.png\nKs 0.5 0.5 0.5\nnewmtl seat\nd 0.5\n"
-                          "Ks 1\nnewmtl unused\nmap_d x.png\n");
+    files_.write("m.mtl",
+                 "newmtl leg\nKd 0.1\nmap_Ks oak.png\nrefl 0.5 0.5 0.5\nnewmtl seat\nPc 0.5\n"
+                 "refl 1\nnewmtl unused\nmap_Ns x.png\n");
     const Scene scene = load("");
     EXPECT_TRUE(hasWarning(scene, "m.obj: these MTL statements are not supported yet and were "
-                                  "ignored: \"Ks\", \"d\", \"map_Kd\""));
+                                  "ignored: \"Pc\", \"map_Ks\", \"refl\""));
 }
 
 TEST_F(SceneMesh, MtlFilesThatAreNeededMustBeThere) {

@@ -181,25 +181,29 @@ INSTANTIATE_TEST_SUITE_P(
     nameOf);
 
 INSTANTIATE_TEST_SUITE_P(
-    NotYet, MistakeTest,
+    Cameras, MistakeTest,
     testing::ValuesIn(std::vector<Mistake>{
-        {"/camera/type", "\"orthographic\"", "/camera/type", "is not supported yet"},
-        {"/camera/lens_radius", "0.1", "/camera/lens_radius", "is not supported yet"},
-        {"/film/filter", "\"tent\"", "/film/filter", "is not supported yet"},
-        {"/background", "[0, 0, 1]", "/background", "is not supported yet"},
-        {"/textures/oak", "{\"type\": \"image\"}", "/textures", "is not supported yet"},
-        {"/materials/wall/type", "\"metal\"", "/materials/wall/type", "is not supported yet"},
-        {"/materials/wall/type", "\"nonmetal\"", "/materials/wall/type", "is not supported yet"},
-        {"/materials/wall/type", "\"blinn_phong\"", "/materials/wall/type", "is not supported yet"},
-        {"/materials/wall/type", "\"dielectric\"", "/materials/wall/type", "is not supported yet"},
-        {"/materials/wall/color", "\"oak\"", "/materials/wall/color", "is not supported yet"},
-        {"/materials/wall/normal_map", "\"x\"", "/materials/wall/normal_map",
-         "is not supported yet"},
-        {"/materials/wall/alpha", "false", "/materials/wall/alpha", "is not supported yet"},
-        {"/materials/wall/displacement", "{}", "/materials/wall/displacement", "not supported yet"},
-        {"/shapes/4/uvs", "[]", "/shapes/4/uvs", "is not supported yet"},
-        {"/shapes/5/uvs", "[]", "/shapes/5/uvs", "is not supported yet"},
-        {"/shapes/6/displacement", "{}", "/shapes/6/displacement", "is not supported yet"},
+        {"/camera/type", "\"orthografic\"", "/camera/type", "did you mean \"orthographic\"?"},
+        {"/camera", R"({"type": "orthographic"})", "/camera", "lacks \"height\""},
+        {"/camera", R"({"type": "orthographic", "height": 0})", "/camera/height", "greater than 0"},
+        {"/camera", R"({"type": "orthographic", "height": 1, "fov": 40})", "/camera/fov",
+         "belongs to a perspective camera"},
+        {"/camera/height", "2", "/camera/height", "belongs to an orthographic camera"},
+        {"/camera/lens_radius", "-0.1", "/camera/lens_radius", "must be 0 or greater, not -0.1"},
+        {"/camera", R"({"lens_radius": 0.1})", "/camera", "lacks \"focus_distance\""},
+        {"/film/filter", "\"gausian\"", "/film/filter", "did you mean \"gaussian\"?"},
+    }),
+    nameOf);
+
+INSTANTIATE_TEST_SUITE_P(
+    Uvs, MistakeTest,
+    testing::ValuesIn(std::vector<Mistake>{
+        {"/shapes/4/uvs", "[]", "/shapes/4/uvs", "must be an array of 3"},
+        {"/shapes/5/uvs", "[[0, 0], [1, 0], [1, 1]]", "/shapes/5/uvs", "must be an array of 4"},
+        {"/shapes/4/uvs", "[[0, 0], [1, 0, 0], [1, 1]]", "/shapes/4/uvs/1", "an array of 2"},
+        {"/shapes/4/uvs", "[[0, 0], [1, 0], [1, null]]", "/shapes/4/uvs/2/1", "a number"},
+        {"/shapes/0/uvs", "[]", "/shapes/0/uvs", "unknown key"},
+        {"/lights/1/uvs", "[[0, 0], [1, 0], [1, 1]]", "/lights/1/uvs", "unknown key"},
     }),
     nameOf);
 

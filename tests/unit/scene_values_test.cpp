@@ -51,6 +51,25 @@ TEST(SceneValues, CameraLooksAtItsTargetWithOrthonormalAxes) {
     EXPECT_NEAR(camera.verticalFov, kPi / 2.0, kRounding);
 }
 
+TEST(SceneValues, OrthographicCamerasHaveAHeight) {
+    const Camera camera = cameraOf(R"({"type": "orthographic", "height": 3, "lens_radius": 0.5,
+                                       "position": [0, 0, 5], "focus_distance": 2})");
+    EXPECT_EQ(camera.projection, Projection::Orthographic);
+    EXPECT_EQ(camera.viewHeight, 3.0);
+    EXPECT_EQ(camera.lensRadius, 0.5);
+    EXPECT_EQ(camera.focusDistance, 2.0);
+    EXPECT_EQ(cameraOf(R"({"type": "perspective"})").projection, Projection::Perspective);
+}
+
+TEST(SceneValues, LensesFocusOnTheTargetUnlessTold) {
+    // 3, 4 and 12 make 13.
+    const std::string at = R"({"position": [1, 1, 1], "target": [4, 5, 13], "lens_radius": 0.1)";
+    EXPECT_NEAR(cameraOf(at + "}").focusDistance, 13.0, 13.0 * kRounding);
+    EXPECT_EQ(cameraOf(at + R"(, "focus_distance": 2.5})").focusDistance, 2.5);
+    EXPECT_EQ(cameraOf(at + "}").lensRadius, 0.1);
+    EXPECT_EQ(cameraOf(R"({"lens_radius": 0})").lensRadius, 0.0); // a pinhole needs no distance
+}
+
 TEST(SceneValues, CameraMatrixIsWorldFromCamera) {
     // A quarter turn about Y: the camera's -Z becomes the world's -X.
     const Camera camera = cameraOf("{\"matrix\": [0,0,1,5, 0,1,0,6, -1,0,0,7, 0,0,0,1]}");
@@ -109,11 +128,17 @@ TEST(SceneValues, FilmAndRenderSettings) {
     EXPECT_EQ(set.render.seed, 4294967295u);
 }
 
-TEST(SceneValues, AcceptsNeutralValuesOfWhatIsNotSupported) {
+TEST(SceneValues, EveryFilmFilter) {
     const SceneFiles files;
-    EXPECT_NO_THROW(files.loadText(R"({"camera": {"type": "perspective", "lens_radius": 0.0,
-        "focus_distance": 3}, "film": {"filter": "box"}, "background": "#000000",
-        "textures": {}})"));
+    const auto filterOf = [&](const std::string& name) {
+        return files.loadText("{\"camera\": {}, \"film\": {\"filter\": \"" + name + "\"}}")
+            .film.filter;
+    };
+    EXPECT_EQ(filterOf("box"), FilmFilter::Box);
+    EXPECT_EQ(filterOf("tent"), FilmFilter::Tent);
+    EXPECT_EQ(filterOf("gaussian"), FilmFilter::Gaussian);
+    EXPECT_EQ(filterOf("blackman-harris"), FilmFilter::BlackmanHarris);
+    EXPECT_EQ(files.loadText(R"({"camera": {}})").film.filter, FilmFilter::Box);
 }
 
 TEST(SceneValues, LightsBearBlackEmittingMaterialsOfTheirOwn) {

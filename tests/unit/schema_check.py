@@ -23,6 +23,12 @@ BROKEN = [
     (["camera", "fov"], 180),
     (["camera", "up"], [0, 0, 0]),
     (["camera", "height"], 2),
+    (["camera"], {"type": "orthographic"}),
+    (["camera"], {"type": "orthographic", "height": 2, "fov": 40}),
+    (["camera"], {"type": "orthographic", "height": 0}),
+    (["camera"], {"lens_radius": 0.1}),
+    (["camera", "lens_radius"], -0.1),
+    (["camera", "focus_distance"], 0),
     (["camera", "matrix"], [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]),
     (["film", "width"], 0),
     (["film", "filter"], "bx"),
@@ -33,19 +39,50 @@ BROKEN = [
     (["materials", "wall", "color"], "#12345"),
     (["materials", "wall", "roughness"], 0.5),
     (["materials", "gold"], {"type": "metal", "color": 1}),
+    (["materials", "gold", "roughness"], 1.5),
+    (["materials", "gold", "roughness"], "#102030"),
+    (["materials", "gold", "masking"], "smth"),
+    (["materials", "gold", "specular"], 0.5),
+    (["materials", "gold", "normal_map"], ""),
+    (["materials", "wood", "specular"], -0.1),
+    (["materials", "wood", "specular"], [0.04, 0.04, 0.04]),
+    (["materials", "paint", "ks"], 1.1),
+    (["materials", "paint", "ks"], "oak"),
+    (["materials", "paint", "exponent"], 10000001),
+    (["materials", "paint", "displacement"], {"texture": "oak"}),
+    (["materials", "paint", "displacement"], {"texture": "oak", "scale": 1, "subdivide": 13}),
+    (["materials", "paint", "displacement"], {"texture": "oak", "scale": 1, "subdivide": 0.5}),
+    (["materials", "glass", "ior"], 0),
+    (["materials", "glass", "color"], "oak"),
+    (["materials", "glass", "emission"], 1),
+    (["materials", "wall", "emission"], "oak"),
     (["shapes", 0, "radius"], 0),
     (["shapes", 0, "raduis"], 1),
     (["shapes", 0, "transform"], {"scale": 0}),
     (["shapes", 0, "transform"], {"scale": 1, "matrix": [1] * 16}),
     (["shapes", 1, "vertices"], [[0, 0, 0]]),
+    (["shapes", 1, "uvs"], [[0, 0], [1, 0], [1, 1]]),
+    (["shapes", 1, "uvs"], [[0, 0], [1, 0], [1, 1], [0, 1, 0]]),
+    (["shapes", 0, "uvs"], [[0, 0]]),
+    (["lights", 0, "uvs"], [[0, 0]]),
     (["lights", 0, "power"], 1),
     (["lights", 0, "type"], "sphere"),
 ]
 
+# What the schema must accept in the same place.
+ACCEPTED = [
+    (["camera"], {"type": "orthographic", "height": 2}),
+    (["camera"], {"type": "orthographic", "height": 2, "lens_radius": 0.1, "target": [1, 0, 0]}),
+    (["camera"], {"lens_radius": 0.1, "focus_distance": 3}),
+    (["camera"], {"lens_radius": 0}),
+    (["materials", "wood", "specular"], 0.08),
+    (["materials", "gold", "masking"], "schlick"),
+]
+
 VALID = {
     "$schema": "scene.schema.json",
-    "camera": {"position": [0, 1, 4], "target": [0, 1, 0], "fov": 40},
-    "film": {"width": 64, "height": 64},
+    "camera": {"position": [0, 1, 4], "target": [0, 1, 0], "fov": 40, "lens_radius": 0.1},
+    "film": {"width": 64, "height": 64, "filter": "blackman-harris"},
     "render": {"spp": 4},
     "textures": {
         "oak": {"type": "image", "file": "oak.png", "wrap": "clamp"},
@@ -54,14 +91,18 @@ VALID = {
     "materials": {
         "wall": {"type": "diffuse", "color": 0.7},
         "gold": {"type": "metal", "color": [1, 0.8, 0.3], "roughness": 0.1, "normal_map": "oak"},
-        "wood": {"type": "nonmetal", "color": "oak", "roughness": "oak"},
-        "paint": {"type": "blinn_phong", "color": 1, "kd": 0.9, "ks": 0.02, "exponent": 200},
-        "glass": {"type": "dielectric", "ior": 1.5},
+        "wood": {"type": "nonmetal", "color": "oak", "roughness": "oak", "specular": "oak",
+                 "masking": "smith", "alpha": False},
+        "paint": {"type": "blinn_phong", "color": 1, "kd": 0.9, "ks": 0.02, "exponent": 1e7,
+                  "normalize": True,
+                  "displacement": {"texture": "tiles", "scale": -0.1, "subdivide": 12}},
+        "glass": {"type": "dielectric", "ior": 1.5, "exterior_ior": 1.33, "color": "#ffeedd"},
     },
     "shapes": [
         {"type": "sphere", "radius": 1, "material": "wall"},
         {"type": "quad", "vertices": [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]],
-         "material": "wall", "transform": {"rotate": [0, 90, 0]}},
+         "uvs": [[0, 0], [2, 0], [2, 2], [0, -2]], "material": "wall",
+         "transform": {"rotate": [0, 90, 0]}},
         {"type": "mesh", "file": "a.obj", "materials": {"seat": "wood", "*": "wall"},
          "displacement": {"texture": "oak", "scale": 0.01, "mid": 0, "subdivide": 4}},
     ],
@@ -93,6 +134,9 @@ def main():
     for name, scene in scenes + [("the valid scene", VALID)]:
         for error in validator.iter_errors(scene):
             failures.append(f"{name}: {error.json_path}: {error.message}")
+    for path, value in ACCEPTED:
+        if not validator.is_valid(with_value(VALID, path, value)):
+            failures.append(f"refused {value} at {path}")
     for path, value in BROKEN:
         if validator.is_valid(with_value(VALID, path, value)):
             failures.append(f"accepted {value} at {path}")

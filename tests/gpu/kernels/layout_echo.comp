@@ -23,6 +23,10 @@ void put(uvec2 v) {
     put(v.x);
     put(v.y);
 }
+void put(vec2 v) {
+    put(v.x);
+    put(v.y);
+}
 void put(vec3 v) {
     put(v.x);
     put(v.y);
@@ -44,6 +48,12 @@ void putTriangles() {
     put(n.pad1);
     put(n.n2);
     put(n.pad2);
+    TriangleUvs u = loadTriangleUvs(1u);
+    put(u.uv0);
+    put(u.uv1);
+    put(u.uv2);
+    put(u.pad0);
+    put(u.pad1);
 }
 
 void putQuadric() {
@@ -62,6 +72,35 @@ void putQuadric() {
     put(q.pad0);
 }
 
+void putMaterial() {
+    Material m = loadMaterial(1u);
+    put(m.color);
+    put(m.colorTexture);
+    put(m.roughness);
+    put(m.roughnessTexture);
+    put(m.specular);
+    put(m.specularTexture);
+    put(m.lobes);
+    put(m.normalMap);
+    put(m.alphaTexture);
+    put(m.opacity);
+    put(m.kd);
+    put(m.exponent);
+    put(m.eta);
+    put(m.pad0);
+    Texture t = loadTexture(1u);
+    put(t.scale);
+    put(t.offset);
+    put(t.firstRow);
+    put(t.width);
+    put(t.height);
+    put(t.flags);
+    put(t.color0);
+    put(t.pad0);
+    put(t.color1);
+    put(t.pad1);
+}
+
 void putLight() {
     Light l = loadLight(1u);
     put(l.radiance);
@@ -78,13 +117,17 @@ void putLight() {
 
 void putCamera() {
     put(camera.position);
-    put(camera.pad0);
+    put(camera.focusDistance);
     put(camera.right);
-    put(camera.pad1);
+    put(camera.isOrthographic);
     put(camera.up);
-    put(camera.pad2);
+    put(camera.filterIsBox);
     put(camera.forward);
-    put(camera.pad3);
+    put(camera.pad0);
+    put(camera.lensRight);
+    put(camera.pad1);
+    put(camera.lensUp);
+    put(camera.pad2);
 }
 
 void putParameters() {
@@ -123,10 +166,10 @@ void main() {
     put(node.count);
     putTriangles();
     putQuadric();
-    Material material = loadMaterial(1u);
-    put(material.color);
-    put(material.pad0);
+    putMaterial();
     putLight();
+    for (uint step = 0u; step < 4u; ++step)
+        put(loadFilterQuantile(step));
     putCamera();
     putParameters();
     putCounters();

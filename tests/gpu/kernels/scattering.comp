@@ -1,5 +1,5 @@
 #version 460
-// One scattering event on a material.
+// One scattering event on a material, and its value at a direction of the test's choice.
 #extension GL_GOOGLE_include_directive : require
 
 #include "bsdf/bsdf.glsl"
@@ -14,11 +14,14 @@ void main() {
     if (i >= events.length())
         return;
     TestScattering event = events[i];
-    Material material = Material(event.color.rgb, 0u);
-    Bsdf bsdf = makeBsdf(material, event.ng, event.ns, event.wo);
-    BsdfSample scattered = sampleBsdf(bsdf, vec2(event.u1, event.u2));
-    Bsdf reversed = makeBsdf(material, event.ng, event.ns, scattered.wi);
-    results[i] = TestScattered(
-        scattered.wi, scattered.pdf, scattered.weight, bsdfPdf(bsdf, scattered.wi),
-        vec4(evaluateBsdf(bsdf, scattered.wi), 0.0), vec4(evaluateBsdf(reversed, event.wo), 0.0));
+    SurfaceParameters surface =
+        SurfaceParameters(event.lobes, event.color, event.roughness, event.specular, event.kd,
+                          event.exponent, event.eta);
+    Bsdf bsdf = makeBsdf(surface, event.ng, event.ns, event.ng, event.wo);
+    BsdfSample scattered = sampleBsdf(bsdf, vec3(event.u1, event.u2, event.u3));
+    BsdfValue again = evaluateBsdf(bsdf, scattered.wi);
+    BsdfValue given = evaluateBsdf(bsdf, event.wi);
+    results[i] = TestScattered(scattered.wi, scattered.pdf, scattered.weight, again.pdf,
+                               again.value, scattered.crosses ? 1u : 0u, given.value, given.pdf,
+                               bsdf.worldFromShading[2], bsdf.diffuseChance);
 }

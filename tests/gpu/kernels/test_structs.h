@@ -69,17 +69,28 @@ struct TestScattering {
     vec3 ns;
     float u2;
     vec3 wo;
-    float pad0;
-    vec4 color;
+    float u3;
+    vec3 wi; ///< for `given`
+    uint lobes;
+    vec3 color;
+    float roughness;
+    float specular;
+    float kd;
+    float exponent;
+    float eta;
 };
 
 struct TestScattered {
     vec3 wi;
     float pdf;
     vec3 weight;
-    float pdfAgain; ///< bsdfPdf(wi)
-    vec4 value;     ///< evaluateBsdf for wi
-    vec4 reversed;  ///< evaluateBsdf with wo and wi exchanged
+    float pdfAgain; ///< evaluateBsdf at wi
+    vec3 value;     ///< evaluateBsdf at wi
+    uint crosses;
+    vec3 given; ///< evaluateBsdf at the event's wi
+    float givenPdf;
+    vec3 ns; ///< as bent to the viewer
+    float diffuseChance;
 };
 
 CALOTYPE_END_SHARED

@@ -1,0 +1,107 @@
+#include "pack/pack_material.h"
+
+#include "shared/limits.h"
+
+namespace calotype {
+namespace {
+
+bool isBlack(const Material& material) { return material.color == glm::dvec3(0.0); }
+
+uint32_t ggxLobe(const Material& material) {
+    return gpu::kLobeGgx | (material.masking == Masking::Smith ? gpu::kSmithMasking : 0);
+}
+
+uint32_t lobesOf(const Material& material) {
+    switch (material.type) {
+    case MaterialType::Diffuse:
+        return isBlack(material) ? 0 : gpu::kLobeDiffuse;
+    case MaterialType::Metal:
+        return ggxLobe(material) | gpu::kColorIsF0;
+    case MaterialType::Nonmetal:
+        return ggxLobe(material) | gpu::kLobeDiffuse;
+    case MaterialType::BlinnPhong:
+        return gpu::kLobeDiffuse | gpu::kLobeBlinnPhong |
+               (material.normalize ? gpu::kNormalizedLobe : 0);
+    case MaterialType::Dielectric:
+        break;
+    }
+    return gpu::kLobeDielectric;
+}
+
+/// What the packed material's `specular` is.
+double specularOf(const Material& material) {
+    return material.type == MaterialType::BlinnPhong ? material.ks : material.specular;
+}
+
+bool mayBeMirror(const Material& material) {
+    const double alpha = material.roughness * material.roughness;
+    return alpha < gpu::kMirrorAlpha || material.roughnessTexture != Material::kNoTexture;
+}
+
+/// Gives texture slots their packed index, and tells the kernel what it will find there.
+class SlotPacker {
+public:
+    SlotPacker(std::span<const Texture> sceneTextures, TexturePacker& textures,
+               SceneFeatures& features)
+        : sceneTextures_(sceneTextures), textures_(textures), features_(features) {}
+
+    uint32_t pack(uint32_t texture, uint32_t slotFeature) {
+        if (texture == Material::kNoTexture)
+            return gpu::kNone;
+        features_.enabled[slotFeature] = true;
+        const auto* image = std::get_if<ImageTexture>(&sceneTextures_[texture].source);
+        features_.enabled[!image                       ? gpu::kFeatureCheckers
+                          : image->image->holdsBytes() ? gpu::kFeatureByteTexels
+                                                       : gpu::kFeatureFloatTexels] = true;
+        return textures_.add(texture);
+    }
+
+private:
+    std::span<const Texture> sceneTextures_;
+    TexturePacker& textures_;
+    SceneFeatures& features_;
+};
+
+} // namespace
+
+gpu::Material packMaterial(const Material& material, std::span<const Texture> sceneTextures,
+                           TexturePacker& textures, SceneFeatures& features) {
+    gpu::Material packed{};
+    packed.lobes = lobesOf(material);
+    const bool hasGgx = (packed.lobes & gpu::kLobeGgx) != 0;
+    const auto enable = [&](uint32_t feature, bool needed) {
+        features.enabled[feature] = features.enabled[feature] || needed;
+    };
+    enable(gpu::kFeatureDiffuse, (packed.lobes & gpu::kLobeDiffuse) != 0);
+    enable(gpu::kFeatureGgx, hasGgx);
+    enable(gpu::kFeatureMirrors, hasGgx && mayBeMirror(material));
+    enable(gpu::kFeatureBlinnPhong, (packed.lobes & gpu::kLobeBlinnPhong) != 0);
+    enable(gpu::kFeatureDielectrics, (packed.lobes & gpu::kLobeDielectric) != 0);
+    enable(gpu::kFeatureAlpha, isTransparent(material));
+
+    SlotPacker slots(sceneTextures, textures, features);
+    packed.color = glm::vec3(material.color);
+    packed.colorTexture = slots.pack(material.colorTexture, gpu::kFeatureColorTextures);
+    packed.roughness = static_cast<float>(material.roughness);
+    packed.specular = static_cast<float>(specularOf(material));
+    packed.roughnessTexture = gpu::kNone;
+    packed.specularTexture = gpu::kNone;
+    if (hasGgx) {
+        packed.roughnessTexture =
+            slots.pack(material.roughnessTexture, gpu::kFeatureScalarTextures);
+        packed.specularTexture = slots.pack(material.specularTexture, gpu::kFeatureScalarTextures);
+    }
+    packed.normalMap = slots.pack(material.normalMap, gpu::kFeatureNormalMaps);
+    packed.alphaTexture = slots.pack(material.alphaTexture, gpu::kFeatureAlpha);
+    packed.opacity = static_cast<float>(material.opacity);
+    packed.kd = static_cast<float>(material.kd);
+    packed.exponent = static_cast<float>(material.exponent);
+    packed.eta = static_cast<float>(material.ior / material.exteriorIor);
+    return packed;
+}
+
+bool isTransparent(const Material& material) {
+    return material.opacity < 1.0 || material.alphaTexture != Material::kNoTexture;
+}
+
+} // namespace calotype

@@ -1,0 +1,69 @@
+#include "pack/pack_textures.h"
+
+#include <cstring>
+
+#include "base/error.h"
+
+namespace calotype {
+namespace {
+
+constexpr size_t kBytesPerRow = sizeof(glm::uvec4);
+/// Rows are named by 32 bits, and fetched by signed integers.
+constexpr size_t kMostRows = size_t{1} << 31;
+
+uint32_t flagsOf(const ImageTexture& texture) {
+    uint32_t flags = texture.image->holdsBytes() ? 0 : gpu::kTextureHoldsFloats;
+    if (texture.decodesColor && texture.image->isEncoded)
+        flags |= gpu::kTextureIsEncoded;
+    if (texture.filter == TextureFilter::Nearest)
+        flags |= gpu::kTextureIsNearest;
+    if (texture.wrap == TextureWrap::Clamp)
+        flags |= gpu::kTextureClamps;
+    if (texture.wrap == TextureWrap::Mirror)
+        flags |= gpu::kTextureMirrors;
+    return flags;
+}
+
+} // namespace
+
+uint32_t TexturePacker::add(uint32_t texture) {
+    const auto next = static_cast<uint32_t>(packed_.size());
+    const auto [entry, isNew] = packedIndex_.try_emplace(texture, next);
+    if (isNew)
+        packed_.push_back(pack(textures_[texture]));
+    return entry->second;
+}
+
+gpu::Texture TexturePacker::pack(const Texture& texture) {
+    gpu::Texture packed{};
+    packed.scale = glm::vec2(texture.scale);
+    packed.offset = glm::vec2(texture.offset);
+    if (const auto* checker = std::get_if<CheckerTexture>(&texture.source)) {
+        packed.flags = gpu::kTextureIsChecker;
+        packed.color0 = glm::vec3(checker->colors[0]);
+        packed.color1 = glm::vec3(checker->colors[1]);
+        return packed;
+    }
+    const auto& source = std::get<ImageTexture>(texture.source);
+    packed.firstRow = addTexels(*source.image);
+    packed.width = source.image->width;
+    packed.height = source.image->height;
+    packed.flags = flagsOf(source);
+    return packed;
+}
+
+uint32_t TexturePacker::addTexels(const TexelImage& image) {
+    const auto [entry, isNew] = firstRow_.try_emplace(&image, static_cast<uint32_t>(rows_.size()));
+    if (!isNew)
+        return entry->second;
+    const auto texels = image.holdsBytes() ? std::as_bytes(std::span(image.bytes))
+                                           : std::as_bytes(std::span(image.floats));
+    const size_t rows = (texels.size() + kBytesPerRow - 1) / kBytesPerRow;
+    if (rows_.size() + rows > kMostRows)
+        throw GpuError("the scene's textures have more texels than the kernels can address");
+    rows_.resize(rows_.size() + rows);
+    std::memcpy(rows_.data() + entry->second, texels.data(), texels.size());
+    return entry->second;
+}
+
+} // namespace calotype

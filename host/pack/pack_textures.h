@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <vector>
+
+#include <glm/vec4.hpp>
+
+#include "scene/texture.h"
+#include "shared/scene_structs.h"
+
+namespace calotype {
+
+/// The textures that a scene's materials use, and the texels of their images, each image once.
+class TexturePacker {
+public:
+    explicit TexturePacker(std::span<const Texture> textures) : textures_(textures) {}
+
+    /// The packed index of a texture, which is packed when it is asked for first.
+    uint32_t add(uint32_t texture);
+
+    std::vector<gpu::Texture> takePacked() { return std::move(packed_); }
+    /// Rows of 16 bytes: four texels of 8-bit RGBA, or one of four floats.
+    std::vector<glm::uvec4> takeTexelRows() { return std::move(rows_); }
+
+private:
+    gpu::Texture pack(const Texture& texture);
+    uint32_t addTexels(const TexelImage& image);
+
+    std::span<const Texture> textures_;
+    std::vector<gpu::Texture> packed_;
+    std::vector<glm::uvec4> rows_;
+    std::map<uint32_t, uint32_t> packedIndex_;
+    std::map<const TexelImage*, uint32_t> firstRow_;
+};
+
+} // namespace calotype

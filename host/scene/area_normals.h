@@ -1,0 +1,20 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "scene/scene.h"
+
+namespace calotype {
+
+/// Largest absolute value of the three, which scales vectors without overflow.
+double largestComponent(const glm::dvec3& v);
+
+/// For each of `positions`, the mean of the normals of the triangles that index it, weighted by
+/// their areas and made one long; zero where the normals cancel or there is no triangle.
+std::vector<glm::dvec3> areaWeightedNormals(std::span<const glm::dvec3> positions,
+                                            std::span<const Mesh::Triangle> triangles);
+
+} // namespace calotype

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "scene/mtl_file.h"
+#include "scene/mtl_maps.h"
+#include "scene/mtl_notes.h"
+
+namespace calotype {
+
+/// The material of the scene that comes nearest to one of an MTL file; README.md has the mapping as
+/// a table. Numbers out of range are clamped. What a user should know goes into `notes` under
+/// `name`, the material's in the MTL file; the result has no name yet.
+Material materialFromMtl(const MtlMaterial& mtl, const std::string& name, MtlMaps& maps,
+                         MtlNotes& notes);
+
+} // namespace calotype

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "image/texel_channel.h"
+
+namespace calotype {
+
+/// A texture statement of an MTL file: its options and the file's name, as written.
+struct MtlTexture {
+    std::string file;
+    std::string place;                   ///< "PATH:LINE" of the statement
+    glm::dvec2 scale{1.0};               ///< -s
+    glm::dvec2 offset{0.0};              ///< -o
+    bool clamps = false;                 ///< -clamp on
+    double bumpMultiplier = 1.0;         ///< -bm
+    bool isLinear = false;               ///< -colorspace linear
+    std::optional<TexelChannel> channel; ///< -imfchan
+    std::vector<std::string> ignored;    ///< options that would have had an effect
+};
+
+/// Reads what follows a texture statement's keyword: options, then a file name, which may contain
+/// blanks, then possibly options again. nullopt where no name is given. Throws SceneError at
+/// `place` for an option whose argument is missing or garbage.
+std::optional<MtlTexture> parseMtlTexture(std::string_view text, const std::string& place);
+
+} // namespace calotype

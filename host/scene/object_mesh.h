@@ -1,0 +1,20 @@
+#pragma once
+
+#include <span>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "scene/scene.h"
+
+namespace calotype {
+
+/// Triangles in object space and what they index. Refers to memory that others own.
+struct ObjectMesh {
+    std::span<const glm::dvec3> positions;
+    std::span<const glm::dvec3> normals; ///< of any length, but not zero where they are used
+    std::span<const glm::dvec2> uvs;
+    std::span<const Mesh::Triangle> triangles;
+};
+
+} // namespace calotype

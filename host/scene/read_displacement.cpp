@@ -1,0 +1,19 @@
+#include "scene/read_displacement.h"
+
+#include "scene/texture_slots.h"
+
+namespace calotype {
+
+Displacement readDisplacement(const JsonValue& value, const LoadContext& context) {
+    const JsonObject object(value, {"texture", "scale", "mid", "subdivide"});
+    Displacement displacement;
+    displacement.texture = readTextureName(object.required("texture"), context);
+    displacement.scale = object.required("scale").number();
+    displacement.mid = object.number("mid", displacement.mid);
+    displacement.subdivide =
+        object.wholeNumber("subdivide", 0, Displacement::kMostSubdivisions, displacement.subdivide);
+    displacement.place = value.child("subdivide").where();
+    return displacement;
+}
+
+} // namespace calotype

@@ -1,0 +1,32 @@
+// How much of the light a smooth boundary reflects.
+#ifndef CALOTYPE_BSDF_FRESNEL_GLSL
+#define CALOTYPE_BSDF_FRESNEL_GLSL
+
+/// Schlick's approximation (report eq. 1.29) for the cosine between direction and normal, in [0,
+/// 1].
+vec3 fresnelSchlick(vec3 f0, float cosTheta) {
+    float m = 1.0 - min(cosTheta, 1.0);
+    float m2 = m * m;
+    return f0 + (1.0 - f0) * (m2 * m2 * m);
+}
+
+struct Refraction {
+    float reflectance; ///< of unpolarised light; 1 under total internal reflection
+    float cosThetaT;   ///< of the refracted direction; 0 under total internal reflection
+};
+
+/// Snell's law and the exact Fresnel equations for a dielectric. `eta` is the index of refraction
+/// beyond the boundary over that on the side of the light. cos^2 of the refracted angle,
+/// 1 - (1 - cosI^2) / eta^2, is written so that it does not cancel as eta nears 1.
+Refraction refractDielectric(float cosThetaI, float eta) {
+    float cos2ThetaT = ((eta - 1.0) * (eta + 1.0) + cosThetaI * cosThetaI) / (eta * eta);
+    if (cos2ThetaT <= 0.0)
+        return Refraction(1.0, 0.0);
+    float cosThetaT = sqrt(cos2ThetaT);
+    float parallel = (eta * cosThetaI - cosThetaT) / (eta * cosThetaI + cosThetaT);
+    float perpendicular = (cosThetaI - eta * cosThetaT) / (cosThetaI + eta * cosThetaT);
+    float reflectance = 0.5 * (parallel * parallel + perpendicular * perpendicular);
+    return Refraction(reflectance, cosThetaT);
+}
+
+#endif

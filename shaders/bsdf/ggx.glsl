@@ -1,0 +1,77 @@
+// Reflection by a rough surface of GGX microfacets: f = D F G / (4 cosO cosI) (report eq. 1.27).
+//
+// D is written with the tangent's square, D = 1 / (pi alpha^2 (tan^2 / alpha^2 + 1)^2 cos^4), since
+// the report's form (eq. 1.28) cancels for small alpha. Masking is the report's (eq. 1.30), whose
+// product divided by 4 cosO cosI is free of divisions by small cosines, or Smith's
+// height-correlated term (Heitz 2014, "Understanding the Masking-Shadowing Function", eq. 99).
+//
+// Half vectors are drawn from those that the viewer sees (Dupuy and Benyoub 2023, "Sampling Visible
+// GGX Normals with Spherical Caps"), with density D G1 max(0, wo.h) / cosO; the Jacobian 1 / (4
+// wo.h) turns it into one of directions. Against drawing by D cos (eq. 1.31, 1.32) the weights stay
+// below one, however the viewer grazes the surface. Directions are in the shading frame; wo.z > 0.
+#ifndef CALOTYPE_BSDF_GGX_GLSL
+#define CALOTYPE_BSDF_GGX_GLSL
+
+#include "bsdf/fresnel.glsl"
+#include "core/constants.glsl"
+#include "core/trigonometry.glsl"
+
+struct GgxLobe {
+    vec3 f0;
+    float alpha;    ///< roughness^2
+    float maskingK; ///< of eq. 1.30: (roughness + 1)^2 / 8; negative selects Smith's term
+};
+
+/// Density of microfacet normals for a unit half vector h.
+float ggxD(vec3 h, float alpha) {
+    float t = dot(h.xy, h.xy) / (alpha * alpha) + h.z * h.z;
+    return 1.0 / (kPi * alpha * alpha * t * t);
+}
+
+/// sqrt(alpha^2 + (1 - alpha^2) cos^2), which is cos (1 + 2 Lambda) in Heitz's terms.
+float ggxSlantCosine(float cosTheta, float alpha) {
+    float a2 = alpha * alpha;
+    return sqrt(a2 + (1.0 - a2) * cosTheta * cosTheta);
+}
+
+/// G / (4 cosO cosI).
+float ggxVisibility(float cosThetaO, float cosThetaI, GgxLobe lobe) {
+    float k = lobe.maskingK;
+    float schlick = 0.25 / ((cosThetaO * (1.0 - k) + k) * (cosThetaI * (1.0 - k) + k));
+    float smith = 0.5 / (cosThetaI * ggxSlantCosine(cosThetaO, lobe.alpha) +
+                         cosThetaO * ggxSlantCosine(cosThetaI, lobe.alpha));
+    return k < 0.0 ? smith : schlick;
+}
+
+/// f cos, for wi.z > 0 and h the unit half vector.
+vec3 evaluateGgx(GgxLobe lobe, vec3 wo, vec3 wi, vec3 h) {
+    vec3 fresnel = fresnelSchlick(lobe.f0, dot(wo, h));
+    return fresnel * (ggxD(h, lobe.alpha) * ggxVisibility(wo.z, wi.z, lobe) * wi.z);
+}
+
+/// Per solid angle: G1(wo) D / (4 cosO), where cosO cancels.
+float ggxPdf(GgxLobe lobe, vec3 wo, vec3 h) {
+    return 0.5 * ggxD(h, lobe.alpha) / (wo.z + ggxSlantCosine(wo.z, lobe.alpha));
+}
+
+/// A visible half vector: in the space where the surface is a hemisphere, a point on the cap about
+/// wo that reflects into the upper side, plus wo.
+vec3 sampleGgx(GgxLobe lobe, vec3 wo, vec2 u) {
+    vec3 stretched = normalize(vec3(lobe.alpha * wo.xy, wo.z));
+    vec2 sinCosPhi = sinCosTwoPi(u.x);
+    float z = (1.0 - u.y) * (1.0 + stretched.z) - stretched.z;
+    float sinTheta = sqrt(max((1.0 - z) * (1.0 + z), 0.0));
+    vec3 cap = vec3(sinTheta * sinCosPhi.y, sinTheta * sinCosPhi.x, z);
+    vec3 h = cap + stretched;
+    return normalize(vec3(lobe.alpha * h.xy, max(h.z, 0.0)));
+}
+
+/// The limit of no roughness: the mirrored direction with weight F G1(wo)^2 (k is 1/8 there;
+/// Smith's term is 1).
+vec3 mirrorWeight(GgxLobe lobe, float cosThetaO) {
+    float k = lobe.maskingK;
+    float g1 = k < 0.0 ? 1.0 : cosThetaO / (cosThetaO * (1.0 - k) + k);
+    return fresnelSchlick(lobe.f0, cosThetaO) * (g1 * g1);
+}
+
+#endif

@@ -1,0 +1,56 @@
+// Light that comes straight from one emitter, chosen among all (report eq. 1.36, 1.37).
+#ifndef CALOTYPE_PATH_DIRECT_LIGHT_GLSL
+#define CALOTYPE_PATH_DIRECT_LIGHT_GLSL
+
+#include "core/random.glsl"
+#include "lights/light.glsl"
+#include "path/mis.glsl"
+#include "path/visibility.glsl"
+
+struct LightSample {
+    Ray ray;       ///< towards the light, ending at it
+    vec3 radiance; ///< along the ray
+    float pdf;     ///< per solid angle; 0 where the point cannot be seen
+};
+
+/// The share of its light that an emitter with a hole in it sends out.
+float emitterAlpha(Light light, vec2 coordinates) {
+    bool isQuadric = isQuadricLight(light);
+    uint materialIndex = isQuadric ? loadQuadric(light.primitive & ~kQuadricBit).material
+                                   : loadTriangle(light.primitive).material;
+    vec2 uv = isQuadric ? coordinates : triangleUv(loadTriangleUvs(light.primitive), coordinates);
+    bool transparent = (materialIndex & kTransparentBit) != 0u;
+    return transparent ? alphaAt(loadMaterial(materialIndex & ~kTransparentBit), uv) : 1.0;
+}
+
+/// From `origin`, which lies off the surface on the viewer's side.
+LightSample sampleDirectLight(Light light, vec3 origin, vec2 u) {
+    if (isBackground(light))
+        return LightSample(Ray(origin, kFar, sampleBackground(u)), light.radiance, kBackgroundPdf);
+    SurfaceSample point = sampleLight(light, origin, u);
+    vec3 toLight = point.position - origin;
+    vec3 facing = dot(toLight, point.normal) > 0.0 ? -point.normal : point.normal;
+    vec3 target = offsetFromSurface(point.position, point.error, facing);
+    float distanceToTarget = length(target - origin);
+    vec3 wi = toLight * inversesqrt(dot(toLight, toLight));
+    vec3 radiance = emittedRadiance(light, point.normal, -wi);
+    if (hasAlpha)
+        radiance *= emitterAlpha(light, point.coordinates);
+    Ray ray = Ray(origin, distanceToTarget, (target - origin) / distanceToTarget);
+    return LightSample(ray, radiance, point.pdf);
+}
+
+/// Light from one point on one emitter, reflected towards the viewer.
+vec3 directLight(Bsdf bsdf, vec3 origin, vec4 u, uint lightCount, inout PathCost cost) {
+    Light light = loadLight(chooseLight(lightCount, u.xy));
+    LightSample arriving = sampleDirectLight(light, origin, u.zw);
+    BsdfValue reflection = evaluateBsdf(bsdf, arriving.ray.direction);
+    vec3 radiance = reflection.value * arriving.radiance;
+    if (arriving.pdf <= 0.0 || greatest(radiance) <= 0.0)
+        return vec3(0.0);
+    float pdf = arriving.pdf * light.selectionChance;
+    float share = transmittance(arriving.ray, light.primitive, cost);
+    return radiance * (share * misWeight(pdf, reflection.pdf) / pdf);
+}
+
+#endif

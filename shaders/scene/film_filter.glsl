@@ -1,0 +1,28 @@
+// Where in and around its pixel a sample falls: distributed as the film's filter, so that a sample
+// belongs to one pixel and has weight one (Ernst, Stamminger and Greiner 2006, "Filter Importance
+// Sampling").
+#ifndef CALOTYPE_SCENE_FILM_FILTER_GLSL
+#define CALOTYPE_SCENE_FILM_FILTER_GLSL
+
+#include "scene/buffers.glsl"
+#include "scene/features.glsl"
+#include "shared/limits.h"
+
+/// Distance from the pixel's centre along one axis: the table holds the filter's quantiles in equal
+/// steps, from its centre outwards, and is read linearly.
+float sampleFilterTable(float u) {
+    float step = abs(2.0 * u - 1.0) * float(kFilterSteps);
+    uint index = min(uint(step), kFilterSteps - 1u);
+    float f = step - float(index);
+    float x = (1.0 - f) * loadFilterQuantile(index) + f * loadFilterQuantile(index + 1u);
+    return u < 0.5 ? -x : x;
+}
+
+/// A position relative to the pixel's top left corner, in pixels.
+vec2 sampleFilm(Camera camera, vec2 u) {
+    if (hasFilter && camera.filterIsBox == 0u)
+        return 0.5 + vec2(sampleFilterTable(u.x), sampleFilterTable(u.y));
+    return u;
+}
+
+#endif

@@ -1,0 +1,46 @@
+// What a surface is made of at a point: its material with all textures looked up.
+#ifndef CALOTYPE_SCENE_SURFACE_GLSL
+#define CALOTYPE_SCENE_SURFACE_GLSL
+
+#include "bsdf/bsdf.glsl"
+#include "bsdf/shading_normal.glsl"
+#include "scene/interaction.glsl"
+#include "scene/texture.glsl"
+
+Material materialOf(Interaction surface) {
+    return loadMaterial(surface.material & ~kTransparentBit);
+}
+
+/// The share of light that meets the surface, in [0, 1]; the rest passes through.
+float alphaAt(Material material, vec2 uv) {
+    float alpha = material.opacity;
+    if (hasTextures && material.alphaTexture != kNone)
+        alpha *= sampleTexture(material.alphaTexture, uv, false).a;
+    return alpha;
+}
+
+/// A number in [0, 1] by its texture.
+float scalarAt(float number, uint textureIndex, vec2 uv) {
+    if (hasScalarTextures && textureIndex != kNone)
+        number *= clamp(sampleTexture(textureIndex, uv, false).r, 0.0, 1.0);
+    return number;
+}
+
+/// Looks up the material's textures, and turns the shading normal as its normal map says.
+SurfaceParameters surfaceParameters(Material material, inout Interaction surface) {
+    vec2 uv = hasTextures ? surface.coordinates.uv : vec2(0.0);
+    vec3 color = material.color;
+    if (hasColorTextures && material.colorTexture != kNone)
+        color *= clamp(sampleTexture(material.colorTexture, uv, true).rgb, 0.0, 1.0);
+    if (hasNormalMaps && material.normalMap != kNone) {
+        vec3 texel = sampleTexture(material.normalMap, uv, false).rgb;
+        surface.ns = mappedNormal(texel, surface.ns, surface.coordinates.dpdu,
+                                  surface.coordinates.dpdv, surface.ng);
+    }
+    return SurfaceParameters(material.lobes, color,
+                             scalarAt(material.roughness, material.roughnessTexture, uv),
+                             scalarAt(material.specular, material.specularTexture, uv), material.kd,
+                             material.exponent, material.eta);
+}
+
+#endif

@@ -1,0 +1,79 @@
+// Textures by our own filter: hardware filters with weights of 8 bits, and not every driver has
+// them for images of any number and size.
+//
+// v = 0 is the bottom, row 0 of an image its top; texel centres lie at (i + 1/2) / n. Colours are
+// decoded before they are filtered.
+#ifndef CALOTYPE_SCENE_TEXTURE_GLSL
+#define CALOTYPE_SCENE_TEXTURE_GLSL
+
+#include "core/srgb.glsl"
+#include "scene/buffers.glsl"
+#include "scene/features.glsl"
+
+/// Texture coordinates brought into [0, 1].
+vec2 wrapCoordinates(vec2 uv, uint flags) {
+    vec2 repeated = uv - floor(uv);
+    vec2 mirrored = 1.0 - abs(uv - 2.0 * floor(0.5 * uv) - 1.0);
+    vec2 clamped = clamp(uv, 0.0, 1.0);
+    return (flags & kTextureMirrors) != 0u  ? mirrored
+           : (flags & kTextureClamps) != 0u ? clamped
+                                            : repeated;
+}
+
+/// The column or row of an image beside its edge: the other edge's where it repeats.
+int wrapTexel(int i, int count, uint flags) {
+    bool repeats = (flags & (kTextureClamps | kTextureMirrors)) == 0u;
+    int wrapped = i < 0 ? i + count : i >= count ? i - count : i;
+    return repeats ? wrapped : clamp(i, 0, count - 1);
+}
+
+/// Four numbers in [0, 1] from 8 bits each, lowest first. 255 becomes 1 exactly.
+vec4 unpackBytes(uint word) {
+    uvec4 bytes = uvec4(word, word >> 8u, word >> 16u, word >> 24u) & 255u;
+    return vec4(bytes) * (1.0 / 255.0);
+}
+
+/// Column i, row j from the bottom.
+vec4 loadTexel(Texture image, int i, int j, bool decode) {
+    uint column = uint(wrapTexel(i, int(image.width), image.flags));
+    uint row = image.height - 1u - uint(wrapTexel(j, int(image.height), image.flags));
+    uint index = row * image.width + column;
+    vec4 texel = vec4(0.0);
+    if (hasByteTexels && (image.flags & kTextureHoldsFloats) == 0u) {
+        uvec4 words = texelFetch(texelRows, int(image.firstRow + (index >> 2u)));
+        texel = unpackBytes(words[index & 3u]);
+    }
+    if (hasFloatTexels && (image.flags & kTextureHoldsFloats) != 0u)
+        texel = uintBitsToFloat(texelFetch(texelRows, int(image.firstRow + index)));
+    bool encoded = decode && (image.flags & kTextureIsEncoded) != 0u;
+    return vec4(encoded ? linearFromSrgb(texel.rgb) : texel.rgb, texel.a);
+}
+
+vec4 sampleImage(Texture image, vec2 uv, bool decode) {
+    bool nearest = (image.flags & kTextureIsNearest) != 0u;
+    vec2 size = vec2(image.width, image.height);
+    vec2 position = wrapCoordinates(uv, image.flags) * size - (nearest ? 0.0 : 0.5);
+    vec2 corner = floor(position);
+    vec2 f = nearest ? vec2(0.0) : position - corner;
+    int i = int(corner.x);
+    int j = int(corner.y);
+    vec4 lower =
+        (1.0 - f.x) * loadTexel(image, i, j, decode) + f.x * loadTexel(image, i + 1, j, decode);
+    vec4 upper = (1.0 - f.x) * loadTexel(image, i, j + 1, decode) +
+                 f.x * loadTexel(image, i + 1, j + 1, decode);
+    return (1.0 - f.y) * lower + f.y * upper;
+}
+
+/// RGB and alpha at texture coordinates. `decode` makes sRGB-encoded colours linear.
+vec4 sampleTexture(uint index, vec2 uv, bool decode) {
+    Texture source = loadTexture(index);
+    vec2 position = uv * source.scale + source.offset;
+    if (hasCheckers && (source.flags & kTextureIsChecker) != 0u) {
+        vec2 field = floor(position);
+        float halfSum = 0.5 * (field.x + field.y);
+        return vec4(halfSum == floor(halfSum) ? source.color0 : source.color1, 1.0);
+    }
+    return sampleImage(source, position, decode);
+}
+
+#endif

@@ -1,0 +1,216 @@
+// Image files of every kind to texels, and the refusal of what is none.
+
+#include <cmath>
+#include <cstring>
+
+#include <gtest/gtest.h>
+
+#include "image/channel_image.h"
+#include "image/read_texel_image.h"
+#include "unit/image_files.h"
+#include "unit/scene_files.h"
+
+namespace calotype::test {
+namespace {
+
+constexpr uint32_t kLargestSide = 64;
+
+TexelImage read(const std::string& file) { return readTexelImage(file, kLargestSide, "image"); }
+
+void expectRefused(const std::string& file, const std::string& fragment) {
+    const SceneError error = errorOf([&] { read(file); });
+    EXPECT_EQ(error.where(), "image");
+    EXPECT_NE(std::string(error.what()).find(fragment), std::string::npos)
+        << error.what() << "\ndoes not say: " << fragment;
+}
+
+/// Four texels: red and green above, blue and a grey below.
+const std::vector<Rgba8> kTexels = {
+    {255, 0, 0, 255}, {0, 200, 0, 255}, {0, 0, 100, 255}, {77, 77, 77, 255}};
+
+void expectTexels(const TexelImage& image, int tolerance) {
+    ASSERT_EQ(image.width, 2u);
+    ASSERT_EQ(image.height, 2u);
+    ASSERT_EQ(image.bytes.size(), 16u);
+    EXPECT_TRUE(image.floats.empty());
+    EXPECT_TRUE(image.isEncoded);
+    for (size_t i = 0; i < 4; ++i)
+        for (size_t k = 0; k < 4; ++k)
+            EXPECT_NEAR(image.bytes[4 * i + k], kTexels[i][k], tolerance) << i << " " << k;
+}
+
+TEST(ReadTexelImage, ReadsPngBmpAndTgaExactly) {
+    std::string bmp;
+    std::string tga;
+    std::string flatTga;
+    stbi_write_bmp_to_func(appendTo, &bmp, 2, 2, 4, kTexels.data());
+    stbi_write_tga_to_func(appendTo, &tga, 2, 2, 4, kTexels.data());
+    stbi_write_tga_with_rle = 0;
+    stbi_write_tga_to_func(appendTo, &flatTga, 2, 2, 4, kTexels.data());
+    stbi_write_tga_with_rle = 1;
+    for (const std::string& file : {pngOf(2, 2, kTexels), bmp, tga, flatTga}) {
+        const TexelImage image = read(file);
+        expectTexels(image, 0);
+        EXPECT_FALSE(image.isTransparent);
+        for (size_t cut = 1; cut < 8; ++cut)
+            expectRefused(file.substr(0, file.size() - cut), "incomplete");
+    }
+}
+
+TEST(ReadTexelImage, ReadsJpegNearly) {
+    // One colour, since sharp ones blur.
+    std::string jpeg;
+    const std::vector<Rgba8> grey(64, Rgba8{77, 77, 77, 255});
+    stbi_write_jpg_to_func(appendTo, &jpeg, 8, 8, 4, grey.data(), 100);
+    const TexelImage image = read(jpeg);
+    ASSERT_EQ(image.bytes.size(), 4u * 64u);
+    for (size_t i = 0; i < image.bytes.size(); ++i)
+        EXPECT_NEAR(image.bytes[i], i % 4 == 3 ? 255 : 77, 1);
+    EXPECT_TRUE(image.isEncoded);
+    expectRefused(jpeg.substr(0, jpeg.size() - 20), "JPEG is corrupt");
+    expectRefused(jpeg.substr(0, 30), "JPEG is corrupt");
+}
+
+TEST(ReadTexelImage, KeepsSixteenBits) {
+    // Grey and alpha: 0x0102 of 0xffff, and 0x8000 of alpha 0x00ff.
+    const std::string rows("\0\x01\x02\xff\xff\x80\x00\x00\xff", 9);
+    const TexelImage image = read(pngFile(2, 1, 16, 4, rows));
+    ASSERT_EQ(image.floats.size(), 8u);
+    EXPECT_TRUE(image.bytes.empty());
+    EXPECT_TRUE(image.isEncoded);
+    EXPECT_TRUE(image.isTransparent);
+    const std::vector<uint32_t> expected = {0x0102, 0x0102, 0x0102, 0xffff,
+                                            0x8000, 0x8000, 0x8000, 0x00ff};
+    for (size_t i = 0; i < 8; ++i)
+        EXPECT_EQ(image.floats[i], static_cast<float>(expected[i]) / 65535.0f) << i;
+}
+
+TEST(ReadTexelImage, TellsWhetherAnythingIsTransparent) {
+    EXPECT_FALSE(read(pngOf({1, 2, 3, 255})).isTransparent);
+    EXPECT_TRUE(read(pngOf({1, 2, 3, 254})).isTransparent);
+}
+
+std::string hdrFile(uint32_t width, uint32_t height, const std::string& pixels) {
+    return "#?RADIANCE\n# made here\nEXPOSURE=2\nFORMAT=32-bit_rle_rgbe\n\n-Y " +
+           std::to_string(height) + " +X " + std::to_string(width) + "\n" + pixels;
+}
+
+TEST(ReadHdr, ReadsFlatRowsFromTheTop) {
+    // 128 at exponent 129 is 1; exponent 0 is black whatever the mantissas say.
+    const TexelImage image =
+        read(hdrFile(1, 2, std::string("\x80\x40\x20\x81\x80\x80\x80\x00", 8)));
+    EXPECT_EQ(image.floats, (std::vector<float>{1.0f, 0.5f, 0.25f, 1.0f, 0.0f, 0.0f, 0.0f, 1.0f}));
+    EXPECT_FALSE(image.isEncoded);
+    EXPECT_FALSE(image.isTransparent);
+}
+
+TEST(ReadHdr, AgreesWithTheWriterOnEncodedRows) {
+    constexpr int kWidth = 40;
+    constexpr int kHeight = 3;
+    std::vector<float> colors;
+    for (int i = 0; i < 3 * kWidth * kHeight; ++i)
+        colors.push_back(i % 60 < 30 ? 1.5f : std::exp2(static_cast<float>(i % 17) - 8.0f));
+    std::string file;
+    stbi_write_hdr_to_func(appendTo, &file, kWidth, kHeight, 3, colors.data());
+    const TexelImage image = read(file);
+    ASSERT_EQ(image.floats.size(), 4u * kWidth * kHeight);
+    for (size_t i = 0; i < colors.size(); i += 3) {
+        // The mantissas of the three share the largest one's exponent and are rounded down.
+        const float unit = std::max({colors[i], colors[i + 1], colors[i + 2]}) / 128.0f;
+        for (size_t k = 0; k < 3; ++k)
+            EXPECT_NEAR(image.floats[i / 3 * 4 + k], colors[i + k], unit) << i;
+    }
+    for (size_t length = 0; length < file.size(); ++length)
+        EXPECT_THROW(read(file.substr(0, length)), SceneError) << length;
+}
+
+TEST(ReadHdr, RefusesWhatItCannotRead) {
+    expectRefused(hdrFile(2, 2, "short"), "incomplete");
+    expectRefused("#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\nabcd", "XYZ");
+    expectRefused("#?RADIANCE\n\n+Y 1 +X 1\nabcd", "order");
+    expectRefused("#?RADIANCE\n\n-Y one +X 1\nabcd", "size");
+    expectRefused("#?RADIANCE\n\n-Y 1 +X 99999999999\nabcd", "size");
+    expectRefused("#?RGBE\n", "incomplete");
+    // A run of 0 pixels, which advances nowhere, and one past the end of its row.
+    const std::string encodedRow("\x02\x02\x00\x08", 4);
+    expectRefused(hdrFile(8, 1, encodedRow + std::string(64, '\0')), "a run of pixels");
+    expectRefused(hdrFile(8, 1, encodedRow + std::string(64, '\x89')), "a run of pixels");
+}
+
+TEST(ReadTexelImage, RefusesWhatIsNoImage) {
+    for (const std::string& file :
+         {std::string(), std::string("x"), std::string(100, '\0'), std::string("GIF89a\1\0\1\0"),
+          std::string("RIFF....WEBPVP8 "), std::string("newmtl a\nKd 1 1 1\nmap_Kd a.png\n"),
+          std::string("\x89PNG\r\n\x1a\r\n and so on ....")})
+        expectRefused(file, "PNG, JPEG, TGA, BMP and HDR");
+}
+
+TEST(ReadTexelImage, LimitsSidesBeforeDecoding) {
+    // The rows are missing; only the header counts.
+    for (const auto& [width, height] : {std::pair(65u, 1u), std::pair(1u, 65u)}) {
+        expectRefused(pngFile(width, height, 8, 6, ""), "64; scale it down");
+        expectRefused(hdrFile(width, height, ""), "64; scale it down");
+    }
+    expectRefused(pngFile(0xffffffffu, 0xffffffffu, 8, 6, ""), "4294967295 x 4294967295");
+    for (const auto& [width, height] : {std::pair(0u, 1u), std::pair(1u, 0u)}) {
+        expectRefused(pngFile(width, height, 8, 6, ""), "no pixels");
+        expectRefused(hdrFile(width, height, ""), "no pixels");
+    }
+    EXPECT_EQ(read(pngFile(64, 1, 1, 0, std::string(9, '\0'))).width, 64u);
+}
+
+TEST(ReadTexelImage, PngsMustBeWhole) {
+    const std::string file = pngOf(2, 2, kTexels);
+    // Any bit of the image's data or size may be the wrong one.
+    for (size_t at = 8; at < file.size(); ++at) {
+        std::string broken = file;
+        broken[at] = static_cast<char>(broken[at] ^ 4);
+        EXPECT_THROW(read(broken), SceneError) << at;
+    }
+    expectTexels(read(file + "trailing bytes"), 0);
+    // A bad checksum of what is not needed is no matter.
+    std::string comment = pngChunk("tEXt", "Comment");
+    comment.back() = static_cast<char>(comment.back() + 1);
+    expectTexels(read(file.substr(0, 33) + comment + file.substr(33)), 0);
+}
+
+TEST(ReadTexelImage, ClaimsOfMuchDataTakeNoMemory) {
+    // 100 MB of zeros pack into 100 kB; as one row of an image of 1 x 1 they are refused.
+    std::string blocks = "\x78\x01";
+    std::string png = pngFile(1, 1, 8, 0, std::string(2, '\0'));
+    const std::string bomb = [] {
+        // A final block of fixed codes: literal 0, then matches of length 258 at distance 1.
+        std::vector<bool> bits = {true, true, false};
+        const auto code = [&](uint32_t value, int length) {
+            for (int i = length - 1; i >= 0; --i)
+                bits.push_back((value >> i & 1u) != 0);
+        };
+        code(0x30, 8);
+        for (int i = 0; i < 400'000; ++i) {
+            code(0xc5, 8); // length 258
+            code(0, 5);    // distance 1
+        }
+        code(0, 7);
+        std::string bytes((bits.size() + 7) / 8, '\0');
+        for (size_t i = 0; i < bits.size(); ++i)
+            bytes[i / 8] = static_cast<char>(bytes[i / 8] | (bits[i] ? 1 << i % 8 : 0));
+        return bytes;
+    }();
+    const std::string file =
+        png.substr(0, 33) + pngChunk("IDAT", blocks + bomb + "....") + pngChunk("IEND", "");
+    expectRefused(file, "outofmem");
+}
+
+TEST(ChannelImage, TakesOneChannel) {
+    const TexelImage image = read(pngOf({10, 20, 30, 40}, 1));
+    EXPECT_EQ(greyImage(image, TexelChannel::Green).bytes, (std::vector<uint8_t>{20, 20, 20, 255}));
+    EXPECT_EQ(alphaImage(image, TexelChannel::Alpha).bytes,
+              (std::vector<uint8_t>{255, 255, 255, 40}));
+    EXPECT_TRUE(alphaImage(image, TexelChannel::Alpha).isTransparent);
+    EXPECT_FALSE(greyImage(image, TexelChannel::Green).isTransparent);
+    // 0.2126 * 10 + 0.7152 * 20 + 0.0722 * 30 = 18.6
+    EXPECT_EQ(greyImage(image, TexelChannel::Luminance).bytes[0], 19);
+}
+
+} // namespace
+} // namespace calotype::test

@@ -1,0 +1,265 @@
+// Every key of every material, its errors with their places, and the warnings of lost energy.
+
+#include <cmath>
+
+#include "load_context_fixture.h"
+#include "scene/material_energy.h"
+
+namespace calotype::test {
+namespace {
+
+constexpr uint32_t kNoTexture = Material::kNoTexture;
+
+class SceneMaterials : public testing::Test, protected LoadContextFixture {
+protected:
+    Material read(const std::string& material) {
+        readMaterialsFrom("{\"m\": " + material + "}");
+        return context.scene.materials.back();
+    }
+
+    /// The warnings of this material alone.
+    std::vector<std::string> warningsOf(const std::string& material) {
+        context.scene.warnings.clear();
+        read(material);
+        return context.scene.warnings;
+    }
+};
+
+TEST_F(SceneMaterials, Metal) {
+    const Material metal = read(R"({"type": "metal", "color": [1, 0.8, 0.3], "roughness": 0.25,
+        "masking": "smith", "emission": 2, "emission_side": "front", "normal_map": "opaque"})");
+    EXPECT_EQ(metal.type, MaterialType::Metal);
+    EXPECT_EQ(metal.color, glm::dvec3(1.0, 0.8, 0.3));
+    EXPECT_EQ(metal.roughness, 0.25);
+    EXPECT_EQ(metal.roughnessTexture, kNoTexture);
+    EXPECT_EQ(metal.masking, Masking::Smith);
+    EXPECT_EQ(metal.emission, glm::dvec3(2.0));
+    EXPECT_TRUE(metal.emitsFromFrontOnly);
+    EXPECT_EQ(metal.normalMap, kOpaque);
+    EXPECT_EQ(read(R"({"type": "metal", "color": 1, "roughness": 0})").masking, Masking::Schlick);
+}
+
+TEST_F(SceneMaterials, Nonmetal) {
+    const Material plain = read(R"({"type": "nonmetal", "color": 0.5, "roughness": 1})");
+    EXPECT_EQ(plain.type, MaterialType::Nonmetal);
+    EXPECT_EQ(plain.specular, 0.04);
+    EXPECT_EQ(plain.normalMap, kNoTexture);
+    const Material set = read(
+        R"({"type": "nonmetal", "color": 0.5, "roughness": 1, "specular": 0.08, "masking": "smith"})");
+    EXPECT_EQ(set.specular, 0.08);
+    EXPECT_EQ(set.masking, Masking::Smith);
+}
+
+TEST_F(SceneMaterials, BlinnPhong) {
+    const Material paint = read(R"({"type": "blinn_phong", "color": "#ff0000", "kd": 0.75,
+        "ks": 0.03125, "exponent": 1e7, "normalize": true})");
+    EXPECT_EQ(paint.type, MaterialType::BlinnPhong);
+    EXPECT_EQ(paint.color, glm::dvec3(1.0, 0.0, 0.0));
+    EXPECT_EQ(paint.kd, 0.75);
+    EXPECT_EQ(paint.ks, 0.03125);
+    EXPECT_EQ(paint.exponent, 1e7);
+    EXPECT_TRUE(paint.normalize);
+}
+
+TEST_F(SceneMaterials, Dielectric) {
+    const Material glass = read(R"({"type": "dielectric", "ior": 1.5})");
+    EXPECT_EQ(glass.type, MaterialType::Dielectric);
+    EXPECT_EQ(glass.color, glm::dvec3(1.0));
+    EXPECT_EQ(glass.ior, 1.5);
+    EXPECT_EQ(glass.exteriorIor, 1.0);
+    const Material bubble =
+        read(R"({"type": "dielectric", "ior": 1, "exterior_ior": 1.33, "color": [1, 0.5, 0.25]})");
+    EXPECT_EQ(bubble.color, glm::dvec3(1.0, 0.5, 0.25));
+    EXPECT_EQ(bubble.exteriorIor, 1.33);
+}
+
+TEST_F(SceneMaterials, TexturesReplaceColoursAndNumbers) {
+    const Material wood = read(R"({"type": "nonmetal", "color": "tiles", "roughness": "holes",
+                                   "specular": "opaque"})");
+    EXPECT_EQ(wood.colorTexture, kTiles);
+    EXPECT_EQ(wood.color, glm::dvec3(1.0));
+    EXPECT_EQ(wood.roughnessTexture, kHoles);
+    EXPECT_EQ(wood.roughness, 1.0);
+    EXPECT_EQ(wood.specularTexture, kOpaque);
+    EXPECT_EQ(wood.specular, 1.0);
+    EXPECT_EQ(wood.alphaTexture, kNoTexture); // only the colour's alpha counts
+}
+
+TEST_F(SceneMaterials, TransparentColourTexturesCutHolesUnlessToldNot) {
+    EXPECT_EQ(read(R"({"type": "diffuse", "color": "holes"})").alphaTexture, kHoles);
+    EXPECT_EQ(read(R"({"type": "diffuse", "color": "holes", "alpha": true})").alphaTexture, kHoles);
+    const Material ignoring = read(R"({"type": "diffuse", "color": "holes", "alpha": false})");
+    EXPECT_EQ(ignoring.alphaTexture, kNoTexture);
+    EXPECT_EQ(ignoring.colorTexture, kHoles);
+    EXPECT_EQ(read(R"({"type": "diffuse", "color": "opaque"})").alphaTexture, kNoTexture);
+    EXPECT_EQ(read(R"({"type": "diffuse", "color": "tiles"})").alphaTexture, kNoTexture);
+}
+
+TEST_F(SceneMaterials, DisplacementsAreKeptByMaterial) {
+    readMaterialsFrom(R"({"flat": {"type": "diffuse", "color": 1}, "rough": {"type": "diffuse",
+        "color": 1, "displacement": {"texture": "tiles", "scale": -0.5, "mid": 0.25,
+        "subdivide": 3}}, "soft": {"type": "diffuse", "color": 1,
+        "displacement": {"texture": "opaque", "scale": 2}}})");
+    ASSERT_EQ(context.displacements.size(), 3u);
+    EXPECT_FALSE(context.displacements[0]);
+    ASSERT_TRUE(context.displacements[1]);
+    EXPECT_EQ(context.displacements[1]->texture, kTiles);
+    EXPECT_EQ(context.displacements[1]->scale, -0.5);
+    EXPECT_EQ(context.displacements[1]->mid, 0.25);
+    EXPECT_EQ(context.displacements[1]->subdivide, 3u);
+    ASSERT_TRUE(context.displacements[2]);
+    EXPECT_EQ(context.displacements[2]->mid, 0.0);
+    EXPECT_EQ(context.displacements[2]->subdivide, 0u);
+}
+
+struct BadMaterial {
+    std::string material;
+    std::string where; ///< below /materials/m
+    std::string fragment;
+};
+
+TEST_F(SceneMaterials, MistakesAreErrorsWithTheirPlaces) {
+    const std::string metal = R"("type": "metal", "color": 1)";
+    const std::string paint = R"("type": "blinn_phong", "color": 1, "kd": 0.5)";
+    const std::string rough = metal + R"(, "roughness": 0)";
+    const std::string displaced = R"("type": "diffuse", "color": 1, "displacement": )";
+    const std::vector<BadMaterial> mistakes = {
+        {R"("type": "metall")", "/type", "did you mean \"metal\"?"},
+        {R"("type": "metal", "roughness": 1)", "", "lacks \"color\""},
+        {metal, "", "lacks \"roughness\""},
+        {metal + R"(, "roughness": 1.5)", "/roughness", "must be in [0, 1], not 1.5"},
+        {metal + R"(, "roughness": -0.1)", "/roughness", "must be in [0, 1], not -0.1"},
+        {metal + R"(, "roughness": "tile")", "/roughness", "did you mean \"tiles\"?"},
+        {metal + R"(, "roughness": "#808080")", "/roughness", "must be the name of a texture"},
+        {metal + R"(, "roughness": [0.5, 0.5, 0.5])", "/roughness", "a number in [0, 1] or"},
+        {rough + R"(, "masking": "smiht")", "/masking", "did you mean \"smith\"?"},
+        {rough + R"(, "specular": 0.5)", "/specular", "unknown key"},
+        {rough + R"(, "normal_map": "tiles")", "/normal_map", "of the type \"image\""},
+        {rough + R"(, "normal_map": "none")", "/normal_map", "there is no texture \"none\""},
+        {rough + R"(, "normal_map": "")", "/normal_map", "must be the name of a texture"},
+        {rough + R"(, "alpha": 1)", "/alpha", "must be true or false"},
+        {rough + R"(, "emission": "opaque")", "/emission", "textures cannot stand here"},
+        {R"("type": "diffuse", "color": "opak")", "/color", "did you mean \"opaque\"?"},
+        {R"("type": "diffuse", "color": 1, "roughness": 1)", "/roughness", "unknown key"},
+        {R"("type": "nonmetal", "color": 0, "roughness": 0, "specular": 2)", "/specular", "[0, 1]"},
+        {paint + R"(, "exponent": 1)", "", "lacks \"ks\""},
+        {paint + R"(, "ks": 0)", "", "lacks \"exponent\""},
+        {paint + R"(, "ks": 1.1, "exponent": 1)", "/ks", "must be in [0, 1]"},
+        {paint + R"(, "ks": "tiles", "exponent": 1)", "/ks", "must be a number"},
+        {paint + R"(, "ks": 0, "exponent": -1)", "/exponent", "must be in [0, 1e+07], not -1"},
+        {paint + R"(, "ks": 0, "exponent": 1.1e7)", "/exponent", "must be in [0, 1e+07]"},
+        {paint + R"(, "ks": 0, "exponent": 1, "normalize": 1)", "/normalize", "true or false"},
+        {paint + R"(, "ks": 0, "exponent": 1, "roughness": 1)", "/roughness", "unknown key"},
+        {R"("type": "dielectric")", "", "lacks \"ior\""},
+        {R"("type": "dielectric", "ior": 0)", "/ior", "greater than 0"},
+        {R"("type": "dielectric", "ior": 1, "exterior_ior": -1)", "/exterior_ior", "greater than"},
+        {R"("type": "dielectric", "ior": 1, "color": "opaque")", "/color", "cannot stand here"},
+        {R"("type": "dielectric", "ior": 1, "emission": 1)", "/emission", "cannot emit light"},
+        {R"("type": "dielectric", "ior": 1, "emission_side": "both")", "/emission_side",
+         "cannot emit light"},
+        {R"("type": "dielectric", "ior": 1, "normal_map": "opaque")", "/normal_map", "unknown key"},
+        {displaced + "0.1", "/displacement", "must be an object"},
+        {displaced + R"({"scale": 1})", "/displacement", "lacks \"texture\""},
+        {displaced + R"({"texture": "tiles"})", "/displacement", "lacks \"scale\""},
+        {displaced + R"({"texture": "no", "scale": 1})", "/displacement/texture", "no texture"},
+        {displaced + R"({"texture": 7, "scale": 1})", "/displacement/texture", "must be a text"},
+        {displaced + R"({"texture": "tiles", "scale": "1"})", "/displacement/scale", "a number"},
+        {displaced + R"({"texture": "tiles", "scale": 1, "mid": []})", "/displacement/mid",
+         "a number"},
+        {displaced + R"({"texture": "tiles", "scale": 1, "subdivide": 13})",
+         "/displacement/subdivide", "from 0 to 12, not 13"},
+        {displaced + R"({"texture": "tiles", "scale": 1, "subdivide": 0.5})",
+         "/displacement/subdivide", "whole number"},
+        {displaced + R"({"texture": "tiles", "scale": 1, "levels": 1})", "/displacement/levels",
+         "unknown key"},
+    };
+    for (const BadMaterial& mistake : mistakes) {
+        SCOPED_TRACE(mistake.material);
+        expectError(errorOf([&] { read("{" + mistake.material + "}"); }),
+                    "scene.json: /materials/m" + mistake.where, mistake.fragment);
+    }
+}
+
+TEST_F(SceneMaterials, BlinnPhongWarnsByItsWeights) {
+    const auto paint = [](const std::string& weights) {
+        return R"({"type": "blinn_phong", "color": 0, "exponent": 9, )" + weights + "}";
+    };
+    // 0.7 + 4 * 0.075 is 1 in decimal, and more in binary.
+    EXPECT_TRUE(warningsOf(paint(R"("kd": 0.7, "ks": 0.075)")).empty());
+    const auto warnings = warningsOf(paint(R"("kd": 0.7, "ks": 0.076)"));
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_EQ(warnings[0],
+              "/scene.json: /materials/m: this blinn_phong can reflect more light than "
+              "it receives, since kd + 4 ks > 1; lower kd or ks, or set "
+              "\"normalize\": true");
+    EXPECT_TRUE(warningsOf(paint(R"("kd": 0.7, "ks": 0.3, "normalize": true)")).empty());
+    const auto normalized = warningsOf(paint(R"("kd": 0.7, "ks": 0.31, "normalize": true)"));
+    ASSERT_EQ(normalized.size(), 1u);
+    EXPECT_NE(normalized[0].find("kd + ks > 1; lower kd or ks"), std::string::npos);
+}
+
+TEST_F(SceneMaterials, NonmetalsWarnWhereTheirAlbedoExceedsOne) {
+    const auto nonmetal = [](const std::string& keys) {
+        return R"({"type": "nonmetal", )" + keys + "}";
+    };
+    EXPECT_TRUE(warningsOf(nonmetal(R"("color": 0.87, "roughness": 0)")).empty());
+    const auto warnings = warningsOf(nonmetal(R"("color": [0, 0.89, 0], "roughness": 0)"));
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_NE(warnings[0].find("reflects up to 101."), std::string::npos) << warnings[0];
+    EXPECT_TRUE(warningsOf(nonmetal(R"("color": 0.95, "roughness": 0.5)")).empty());
+    EXPECT_EQ(warningsOf(nonmetal(R"("color": 1, "roughness": 0.5)")).size(), 1u);
+    // Smith's masking lets more light through.
+    const std::string smooth = R"("color": 0.7, "roughness": 0.1)";
+    EXPECT_TRUE(warningsOf(nonmetal(smooth)).empty());
+    EXPECT_EQ(warningsOf(nonmetal(smooth + R"(, "masking": "smith")")).size(), 1u);
+    // Nothing is said of what only the texture knows.
+    EXPECT_TRUE(warningsOf(nonmetal(R"("color": "opaque", "roughness": 0)")).empty());
+    EXPECT_TRUE(warningsOf(nonmetal(R"("color": 0.95, "roughness": "tiles")")).empty());
+}
+
+TEST(MaterialEnergy, AlbedoOfAMirrorIsFresnelTimesMasking) {
+    // k is 1/8 at roughness 0.
+    for (const double cosine : {0.05, 0.3, 0.8, 1.0}) {
+        const double fresnel = 0.04 + 0.96 * std::pow(1.0 - cosine, 5.0);
+        const double g1 = cosine / (cosine * 0.875 + 0.125);
+        EXPECT_NEAR(ggxAlbedo(cosine, 0.0, 0.04, Masking::Schlick), fresnel * g1 * g1, 1e-12);
+        EXPECT_NEAR(ggxAlbedo(cosine, 0.0, 0.04, Masking::Smith), fresnel, 1e-12);
+    }
+}
+
+/// The same integral over directions of light on a fine grid, by the equations as they are written
+/// (1.27 to 1.30).
+double slowAlbedo(double cosine, double roughness, double f0) {
+    constexpr int kSteps = 1500;
+    const double alpha2 = std::pow(roughness, 4.0);
+    const double k = std::pow(roughness + 1.0, 2.0) / 8.0;
+    const glm::dvec3 v(std::sqrt(1.0 - cosine * cosine), 0.0, cosine);
+    double sum = 0.0;
+    for (int i = 0; i < kSteps; ++i) {
+        const double z = (i + 0.5) / kSteps;
+        for (int j = 0; j < kSteps; ++j) {
+            const double azimuth = M_PI * (j + 0.5) / kSteps;
+            const double r = std::sqrt(1.0 - z * z);
+            const glm::dvec3 l(r * std::cos(azimuth), r * std::sin(azimuth), z);
+            const glm::dvec3 h = (v + l) / std::sqrt(2.0 + 2.0 * (v.x * l.x + v.z * l.z));
+            const double d = alpha2 / (M_PI * std::pow(h.z * h.z * (alpha2 - 1.0) + 1.0, 2.0));
+            const double f = f0 + (1.0 - f0) * std::pow(1.0 - (v.x * h.x + v.z * h.z), 5.0);
+            const double g = z / (z * (1.0 - k) + k) * cosine / (cosine * (1.0 - k) + k);
+            sum += d * f * g / (4.0 * z * cosine) * z;
+        }
+    }
+    return sum * 2.0 * M_PI / (double(kSteps) * kSteps);
+}
+
+TEST(MaterialEnergy, AlbedoAgreesWithTheEquationsIntegratedOverTheHemisphere) {
+    for (const double roughness : {0.4, 0.7, 1.0}) {
+        for (const double cosine : {0.1, 0.4, 0.9}) {
+            EXPECT_NEAR(ggxAlbedo(cosine, roughness, 0.04, Masking::Schlick),
+                        slowAlbedo(cosine, roughness, 0.04), 0.001)
+                << roughness << " " << cosine;
+        }
+    }
+}
+
+} // namespace
+} // namespace calotype::test
