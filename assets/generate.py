@@ -6,7 +6,7 @@
     python3 assets/generate.py --check    compare the committed files with what would be written
 
 The files are the same on every machine: random numbers are seeded, coordinates rounded. Of PNG
-files the pixels are: zlib's versions compress them differently. (Everything takes about a minute.)
+files the pixels are: zlib's versions compress them differently. (Everything takes a minute or two.)
 """
 
 import pathlib
