@@ -39,7 +39,7 @@ const Displacement* finest(std::span<const Mesh::Triangle> triangles, OfMaterial
 
 void checkCount(uint64_t count, const Displacement& displacement, const std::string& name) {
     const uint64_t foreseen = subdividedCount(count, displacement.subdivide);
-    if (foreseen <= kMostDisplacedTriangles) {
+    if (displacement.subdivide == 0 || foreseen <= kMostDisplacedTriangles) {
         return;
     }
     uint32_t possible = 0;

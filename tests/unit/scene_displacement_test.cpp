@@ -1,67 +1,24 @@
-// Subdivision and displacement: counts, midpoints, heights, directions, watertightness, limits.
+// Displacement: heights, directions, normals, watertightness, limits.
 
-#include <algorithm>
 #include <cmath>
-#include <map>
 #include <memory>
 #include <random>
-#include <set>
-
-#include <glm/geometric.hpp>
-#include <gtest/gtest.h>
 
 #include "base/error.h"
 #include "scene/displacement.h"
-#include "scene/obj_file.h"
 #include "scene/subdivide.h"
 #include "scene_files.h"
+#include "test_meshes.h"
 
 namespace calotype::test {
 namespace {
 
-/// Of lengths and areas near one, after some ten operations.
-constexpr double kRounding = 1e-14;
-
 using PerMaterial = std::vector<std::optional<Displacement>>;
-
-/// A cube from -1 to 1, each side with texture coordinates of its own and its corners written
-/// anew: seams and split vertices along every edge.
-const std::string kSplitCube = [] {
-    const int sides[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
-                             {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-    std::string text;
-    for (int side = 0; side < 6; ++side) {
-        for (const int corner : sides[side]) {
-            text += "v " + std::to_string(corner & 1 ? 1 : -1) + " " +
-                    std::to_string(corner & 2 ? 1 : -1) + " " +
-                    std::to_string(corner & 4 ? 1 : -1) + "\n";
-        }
-        const std::string u = std::to_string(side * 0.1);
-        text += "vt " + u + " 0\nvt 1 " + u + "\nvt 0.9 1\nvt " + u + " 0.8\n" +
-                "f -4/-4 -3/-3 -2/-2 -1/-1\n";
-    }
-    return text;
-}();
 
 /// A square of side 1 in the plane y = 0, facing +Y, with texture coordinates x and z; halved from
 /// (0, 0) to (1, 1).
 const char* const kSquare = "v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
                             "f 1/1 4/4 3/3\nf 1/1 3/3 2/2\n";
-
-/// The file's mesh, all of material 0 unless it names others: its materials count from 0.
-class TestMesh {
-public:
-    explicit TestMesh(const std::string& text) : obj_(parseObj(text, "m.obj")) {
-        for (Mesh::Triangle& triangle : obj_.triangles) {
-            triangle.material = triangle.material == ObjFile::kNoMaterial ? 0 : triangle.material;
-        }
-    }
-
-    ObjectMesh view() const { return {obj_.positions, obj_.normals, obj_.uvs, obj_.triangles}; }
-
-private:
-    ObjFile obj_;
-};
 
 Texture image(uint32_t width, uint32_t height, const std::vector<float>& values,
               TextureWrap wrap = TextureWrap::Clamp) {
@@ -92,124 +49,6 @@ Mesh displaced(const std::string& text, const PerMaterial& ofMaterial, const Tex
     auto result = displace(mesh.view(), ofMaterial, std::vector{texture}, "m.obj");
     EXPECT_TRUE(result);
     return result.value_or(Mesh());
-}
-
-glm::dvec3 corner(const Mesh& mesh, const Mesh::Triangle& triangle, int k) {
-    return mesh.positions.at(triangle.position[k]);
-}
-
-glm::dvec3 areaVector(const Mesh& mesh, const Mesh::Triangle& t) {
-    const glm::dvec3 a = corner(mesh, t, 0);
-    return 0.5 * glm::cross(corner(mesh, t, 1) - a, corner(mesh, t, 2) - a);
-}
-
-double areaOf(const Mesh& mesh) {
-    double sum = 0.0;
-    for (const Mesh::Triangle& triangle : mesh.triangles) {
-        sum += glm::length(areaVector(mesh, triangle));
-    }
-    return sum;
-}
-
-/// By the divergence theorem.
-double volumeOf(const Mesh& mesh) {
-    double sum = 0.0;
-    for (const Mesh::Triangle& triangle : mesh.triangles) {
-        sum += glm::dot(areaVector(mesh, triangle), corner(mesh, triangle, 0)) / 3.0;
-    }
-    return sum;
-}
-
-struct LessByValue {
-    bool operator()(const glm::dvec3& a, const glm::dvec3& b) const {
-        return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
-    }
-};
-
-/// What summing over so many triangles may lose of `total`: a rounding each.
-double sumRounding(const Mesh& mesh, double total) {
-    return 1.2e-16 * static_cast<double>(mesh.triangles.size()) * total;
-}
-
-/// Whether every edge, by the values of its ends, is run along once each way.
-void expectWatertight(const Mesh& mesh) {
-    std::map<glm::dvec3, int, LessByValue> number;
-    std::map<std::pair<int, int>, int> runs;
-    for (const Mesh::Triangle& triangle : mesh.triangles) {
-        int ends[3];
-        for (int k = 0; k < 3; ++k) {
-            ends[k] = number.try_emplace(corner(mesh, triangle, k), number.size()).first->second;
-        }
-        for (int k = 0; k < 3; ++k) {
-            ++runs[{ends[k], ends[(k + 1) % 3]}];
-        }
-    }
-    for (const auto& [edge, count] : runs) {
-        ASSERT_EQ(count, 1);
-        ASSERT_EQ(runs.count({edge.second, edge.first}), 1u) << "an edge has one side only";
-    }
-}
-
-TEST(Subdivide, CountsAreForeseen) {
-    EXPECT_EQ(subdividedCount(5, 0), 5u);
-    EXPECT_EQ(subdividedCount(5, 3), 320u);
-    EXPECT_EQ(subdividedCount(1, 31), uint64_t{1} << 62);
-    EXPECT_EQ(subdividedCount(1, 32), ~uint64_t{0});
-    EXPECT_EQ(subdividedCount(7, ~0u), ~uint64_t{0});
-    EXPECT_EQ(subdividedCount(0, ~0u), 0u);
-}
-
-TEST(Subdivide, SplitsAtTheMidpointsOfEdges) {
-    const TestMesh one("v 0 0 0\nv 4 0 0\nv 0 4 2\nvt 0 0\nvt 1 0\nvt 0 1\nvn 0 0 1\nvn 0 9 0\n"
-                       "vn 0 0 1\nf 1/1/1 2/2/2 3/3/3\n");
-    const Mesh mesh = subdivide(one.view(), 1);
-    ASSERT_EQ(mesh.triangles.size(), 4u);
-    EXPECT_EQ(mesh.positions.size(), 6u);
-    const std::set<glm::dvec3, LessByValue> positions(mesh.positions.begin(), mesh.positions.end());
-    for (const glm::dvec3 middle : {glm::dvec3(2, 0, 0), {2, 2, 1}, {0, 2, 1}}) {
-        EXPECT_TRUE(positions.contains(middle)) << middle.x << " " << middle.y << " " << middle.z;
-    }
-    const glm::dvec3 whole = glm::cross(glm::dvec3(4, 0, 0), glm::dvec3(0, 4, 2));
-    for (const Mesh::Triangle& triangle : mesh.triangles) {
-        // A quarter of the triangle, on its side.
-        EXPECT_EQ(areaVector(mesh, triangle), whole / 8.0);
-        for (int k = 0; k < 3; ++k) {
-            const glm::dvec3 p = corner(mesh, triangle, k);
-            EXPECT_EQ(mesh.uvs.at(triangle.uv[k]), glm::dvec2(p.x / 4.0, p.y / 4.0));
-            // From (0, 1, 0) where x is 4 to (0, 0, 1) where it is 0, by the middle of both.
-            const double tilt = p.x == 2.0 ? std::sqrt(0.5) : p.x / 4.0;
-            EXPECT_NEAR(mesh.normals.at(triangle.normal[k]).y, tilt, kRounding);
-        }
-    }
-}
-
-TEST(Subdivide, MakesFourOfEachAndSharesAllPositions) {
-    const TestMesh cube(kSplitCube);
-    for (const uint32_t times : {0u, 1u, 3u, 5u}) {
-        const Mesh mesh = subdivide(cube.view(), times);
-        const size_t triangles = 12u << (2 * times);
-        EXPECT_EQ(mesh.triangles.size(), triangles);
-        // Euler: V - E + F = 2 with E = 3 F / 2, though the file has 24 positions.
-        EXPECT_EQ(mesh.positions.size(), triangles / 2 + 2);
-        expectWatertight(mesh);
-        EXPECT_NEAR(volumeOf(mesh), 8.0, sumRounding(mesh, 8.0));
-    }
-}
-
-TEST(Subdivide, OppositeNormalsLeaveTheirTrianglesFlat) {
-    const TestMesh two("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nvn 0 0 -1\nvn 0 1 1\n"
-                       "usemtl a\nf 1//1 2//2 3//1\nusemtl b\nf 1//1 2//3 3//1\n");
-    const Mesh mesh = subdivide(two.view(), 2);
-    ASSERT_EQ(mesh.triangles.size(), 32u);
-    for (const Mesh::Triangle& triangle : mesh.triangles) {
-        for (const uint32_t normal : triangle.normal) {
-            if (triangle.material == 0) {
-                EXPECT_EQ(normal, Mesh::kNoNormal);
-            } else {
-                EXPECT_NEAR(glm::length(mesh.normals.at(normal)), 1.0, kRounding);
-            }
-        }
-    }
 }
 
 TEST(Displacement, IsNoneWhereNoMaterialHasOne) {
