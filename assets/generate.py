@@ -6,7 +6,7 @@
     python3 assets/generate.py --check    compare the committed files with what would be written
 
 The files are the same on every machine: random numbers are seeded, coordinates rounded. Of PNG
-files the pixels are: zlib's versions compress them differently. (Everything takes about a minute.)
+files the pixels are: zlib's versions compress them differently. (Everything takes a minute or two.)
 """
 
 import pathlib
@@ -16,7 +16,7 @@ sys.dont_write_bytecode = True  # leaves no __pycache__ in the checkout
 
 from generator import backdrop, camera, cloth, cushion, cushion_maps, damask  # noqa: E402
 from generator import furniture, hare, leaf_maps, linen, monstera_maps, ornament  # noqa: E402
-from generator import parquet, plant, room, textured_cube  # noqa: E402
+from generator import parquet, plant, room, textured_cube, wood  # noqa: E402
 
 MESHES = {
     "backdrop": backdrop.backdrop,
@@ -49,6 +49,7 @@ MAPS = {
     "parquet_color": parquet.color,
     "parquet_normals": parquet.normals,
     "parquet_roughness": parquet.roughness,
+    "walnut_color": wood.walnut,
 }
 FOLDER = pathlib.Path(__file__).resolve().parent
 

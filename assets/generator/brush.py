@@ -50,10 +50,6 @@ class Canvas:
                 if distance < row[column]:
                     row[column] = distance
 
-    def coverage(self):
-        """1 inside, 0 outside, with an antialiased edge one pixel wide."""
-        return [[min(max(0.5 - d, 0.0), 1.0) for d in row] for row in self.distances]
-
 
 def turned(points, angle, center=(0.0, 0.0)):
     """`points` turned counter-clockwise about `center`."""

@@ -8,7 +8,6 @@ from generator import fields, noise, png
 from generator.brush import Canvas, mirrored, turned
 from generator.normals import normal_map
 from generator.palette import blended, rgb
-from generator.vectors import smoothstep
 
 SIZE = 768  # holds two palmettes, half a tile apart across and up
 PAPER, INK = rgb("#ddd2bb"), rgb("#c9b48d")

@@ -13,9 +13,3 @@ def field(width, height, value):
 def combined(function, *fields):
     """`function` of the fields' values, pixel by pixel."""
     return [[function(*values) for values in zip(*rows)] for rows in zip(*fields)]
-
-
-def stretched(values):
-    """`values` mapped so that the least is 0 and the greatest 1."""
-    low, high = min(map(min, values)), max(map(max, values))
-    return [[(v - low) / (high - low) for v in row] for row in values]

@@ -100,7 +100,7 @@ def color():
         inside = _inside(*place, cut)
         young = min(max(0.40 + 0.20 * cloud + 0.35 * (place[0] - 0.5), 0), 1)
         green = blended(DEEP, FRESH, young)
-        green = blended(green, VEIN, 0.8 * min(max(1.2 - vein / 1.5, 0), 1))
+        green = blended(green, VEIN, 0.6 * min(max(1.2 - vein / 1.5, 0), 1))
         green = blended(green, shaded(DEEP, 0.85), 0.35 * math.exp(-((vein - 7) / 5) ** 2))
         green = blended(green, FRESH, 0.6 * min(max(1 - inside / 4, 0), 1))
         return green + (min(max(inside + 0.5, 0.0), 1.0),)

@@ -28,7 +28,10 @@ class Image:
         chunks = dict(_chunks(data))
         if chunks.get(b"IHDR") != self._header():
             return False
-        stream = zlib.decompress(chunks[b"IDAT"])
+        try:
+            stream = zlib.decompress(chunks.get(b"IDAT", b""))
+        except zlib.error:
+            return False
         return stream in (self._filtered(SUB), self._filtered(UP))
 
     def _header(self):

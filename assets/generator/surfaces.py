@@ -122,16 +122,22 @@ def profile(millimetres):
     return [(float(a) / 1000, float(b) / 1000) for a, b in pairs]
 
 
-def lathe(outline, segments):
+def closed(rows, smooth=True):
+    """A grid whose rows close, with texture coordinates in metres and a seam for them."""
+    rows = [row + row[:1] for row in rows]
+    return grid(rows, smooth=smooth, uvs=measured(rows))
+
+
+def lathe(outline, segments, textured=False):
     """An outline of (radius, y), from the bottom up the outside, turned about +Y."""
     rows = []
     for radius, y in outline:
         angles = (-2 * math.pi * k / segments for k in range(segments))
         rows.append([(radius * math.cos(a), y, radius * math.sin(a)) for a in angles])
-    return grid(rows, wrap_columns=True)
+    return closed(rows) if textured else grid(rows, wrap_columns=True)
 
 
-def tube(path, radii, segments, side=(0.0, 0.0, 1.0)):
+def tube(path, radii, segments, side=(0.0, 0.0, 1.0), textured=False):
     """A round tube with closed ends along `path`; `side` is never parallel to it."""
     rows = []
     for i, p in enumerate(path):
@@ -142,7 +148,7 @@ def tube(path, radii, segments, side=(0.0, 0.0, 1.0)):
             [frame.point((radii[i] * math.cos(a), 0, radii[i] * math.sin(a))) for a in angles]
         )
     rows = [[path[0]] * segments] + rows + [[path[-1]] * segments]
-    return grid(rows, wrap_columns=True)
+    return closed(rows) if textured else grid(rows, wrap_columns=True)
 
 
 def moulding(width, height, section):

@@ -1,9 +1,9 @@
-"""Oak: growth rings cut lengthwise, pores and rays, as a tileable board along v."""
+"""Wood: growth rings cut lengthwise, and pores, as a tileable board along v; oak and walnut."""
 
 import math
 import random
 
-from generator import noise
+from generator import noise, png
 from generator.palette import blended, rgb, shaded
 
 EARLY, LATE, PORE = rgb("#c99a63"), rgb("#a06f3e"), rgb("#6f4a28")
@@ -49,7 +49,13 @@ def oak(late, pore, tone=1.0, warmth=0.0):
     return (r * (1 + 0.025 * warmth), g, b * (1 - 0.06 * warmth))
 
 
-def walnut(late, pore):
-    """The colour of polished walnut."""
-    base = blended(rgb("#7a4f32"), rgb("#4b2c1a"), min(max(late, -0.2), 1.2))
-    return blended(base, rgb("#2a170d"), 0.5 * pore)
+def walnut():
+    """The colour of a board of polished walnut."""
+    grain = Grain(512, 23)
+
+    def paint(c, r):
+        late, pore = grain.at(c, r)
+        base = blended(rgb("#8a5f3e"), rgb("#543420"), min(max(late, -0.2), 1.2))
+        return blended(base, rgb("#2f1c10"), 0.45 * pore)
+
+    return png.color([[paint(c, r) for c in range(512)] for r in range(512)])
