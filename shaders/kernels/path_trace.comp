@@ -11,9 +11,9 @@
 #include "path/path.glsl"
 #include "shared/render_structs.h"
 
-// The loop of main itself, and one pass through each loop of isOccluded, which llvmpipe makes even
-// where no invocation takes that way.
-const uint kIterationsOutsideTraversal = 4u;
+// The loop of main itself, and one pass through each loop of transmittance, which llvmpipe makes
+// even where no invocation takes that way.
+const uint kIterationsOutsideTraversal = 5u;
 
 layout(local_size_x = kTileSize * kTileSize) in;
 layout(push_constant) uniform Parameters { RenderParameters parameters; };

@@ -35,10 +35,11 @@ float foundWeight(Path path, float lightPdf) {
     return path.bounce == 0u ? 1.0 : misWeight(path.bsdfPdf, lightPdf);
 }
 
-/// Light that comes from beyond all surfaces.
+/// Light that comes from beyond all surfaces; the background, if there is one, is the last light.
 vec3 backgroundLight(Path path, uint lightCount) {
-    Light light = loadLight(lightCount - 1u);
-    return light.radiance * foundWeight(path, kBackgroundPdf * light.selectionChance);
+    Light light = loadLight(max(lightCount, 1u) - 1u);
+    vec3 radiance = isBackground(light) ? light.radiance : vec3(0.0);
+    return radiance * foundWeight(path, kBackgroundPdf * light.selectionChance);
 }
 
 /// Light that the surface emits towards the ray's origin.

@@ -169,6 +169,9 @@ const FeatureCase kCases[] = {
     {gpu::kFeatureOrthographic, "Orthographic", camera([](Scene& scene) {
          scene.camera.projection = Projection::Orthographic;
          scene.camera.viewHeight = 3.0;
+         scene.camera.position = {0.0, 2.0, 2.0};
+         scene.camera.forward = {0.0, -0.8, -0.6};
+         scene.camera.up = {0.0, 0.6, -0.8};
      })},
 };
 static_assert(std::size(kCases) == gpu::kFeatureCount);

@@ -1,51 +1,14 @@
 // The shadow terminator: a coarse ball with smooth normals is lit as the ball that it stands for.
 #include <algorithm>
-#include <array>
+#include <cmath>
 
-#include <glm/geometric.hpp>
-
+#include "image/coarse_ball.h"
 #include "image/scene_builder.h"
 #include "support/gpu_test.h"
 #include "support/render_scene.h"
 
 namespace calotype::test {
 namespace {
-
-/// An octahedron whose triangles were split `levels` times, on the unit sphere.
-Mesh coarseBall(int levels, bool smooth) {
-    Mesh mesh;
-    using Corners = std::array<glm::dvec3, 3>;
-    std::vector<Corners> triangles;
-    for (const double x : {1.0, -1.0})
-        for (const double y : {1.0, -1.0})
-            for (const double z : {1.0, -1.0}) {
-                Corners corners = {glm::dvec3(x, 0, 0), glm::dvec3(0, y, 0), glm::dvec3(0, 0, z)};
-                if (x * y * z < 0.0)
-                    std::swap(corners[1], corners[2]);
-                triangles.push_back(corners);
-            }
-    for (int level = 0; level < levels; ++level) {
-        std::vector<Corners> finer;
-        for (const auto& [a, b, c] : triangles) {
-            const glm::dvec3 ab = glm::normalize(a + b);
-            const glm::dvec3 bc = glm::normalize(b + c);
-            const glm::dvec3 ca = glm::normalize(c + a);
-            finer.insert(finer.end(), {Corners{a, ab, ca}, Corners{ab, b, bc}, Corners{ca, bc, c},
-                                       Corners{ab, bc, ca}});
-        }
-        triangles = std::move(finer);
-    }
-    for (const Corners& corners : triangles) {
-        const auto first = static_cast<uint32_t>(mesh.positions.size());
-        mesh.positions.insert(mesh.positions.end(), corners.begin(), corners.end());
-        mesh.normals.insert(mesh.normals.end(), corners.begin(), corners.end());
-        Mesh::Triangle triangle{{first, first + 1, first + 2}, {first, first + 1, first + 2}, 0};
-        if (!smooth)
-            std::fill_n(triangle.normal, 3, Mesh::kNoNormal);
-        mesh.triangles.push_back(triangle);
-    }
-    return mesh;
-}
 
 /// The ball lit from the right by a small far lamp, seen by parallel rays.
 Image litBall(Shape ball) {
@@ -71,7 +34,7 @@ TEST_F(TerminatorTest, CoarseMeshIsLitLikeTheBallItStandsFor) {
     for (const glm::vec3& pixel : ball.pixels)
         brightest = std::max(brightest, pixel.x);
     for (const int levels : {2, 3}) {
-        const Image mesh = litBall(makeShape(coarseBall(levels, true), 0));
+        const Image mesh = litBall(makeShape(coarseBall(levels), 0));
         size_t lit = 0;
         size_t dark = 0;
         for (uint32_t y = 0; y < ball.height; ++y)
