@@ -31,7 +31,7 @@ vec3 consistentNormal(vec3 wo, vec3 ng, vec3 ns) {
     float cosine = dot(wo, ns);
     float height = 2.0 * cosine * dot(ns, ng) - dot(wo, ng); // of the mirrored viewer
     // A little above the surface, lest a ray along it starts beneath.
-    float lowest = max(0.02 * dot(wo, ng), 1e-7);
+    float lowest = max(0.02 * dot(wo, ng), 1e-6);
     if (height >= lowest)
         return ns;
     // Of a direction straight down something has to be left.
@@ -43,7 +43,8 @@ vec3 consistentNormal(vec3 wo, vec3 ng, vec3 ns) {
     float liftedLength = sqrt(1.0 + excess2);
     vec3 sum = 2.0 * cosine * ns + (lowest - height) * ng + excess2 / (1.0 + liftedLength) * wo;
     vec3 difference = 2.0 * liftedLength * wo - sum;
-    return normalize(sum - dot(sum, difference) / dot(difference, difference) * difference);
+    float longer2 = max(dot(sum, sum), dot(difference, difference)); // lest rounding is divided by
+    return normalize(sum - dot(sum, difference) / longer2 * difference);
 }
 
 /// The direction, mirrored where it is not on the side of the normal.

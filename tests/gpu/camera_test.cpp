@@ -111,6 +111,8 @@ protected:
                             4.0 * kRoundoffOfFloat);
                 ASSERT_GT(rays[i].tMax, 1e18f);
                 check(camera, queries[i], rays[i]);
+                if (HasFailure())
+                    return;
             }
         }
     }
