@@ -215,8 +215,9 @@ private:
                              static_cast<unsigned long long>(count), text);
         };
         warn(totals_.nonFiniteSamples, "samples were not finite and count as black");
-        warn(totals_.cutPaths, "paths were cut short by the device's loop limit, so the picture is "
-                               "too dark; lower --max-bounces or take a GPU");
+        warn(totals_.cutPaths,
+             "paths were cut short by the device's loop limit, so the picture is "
+             "too dark; lower --max-bounces, use fewer transparent layers, or take a GPU");
         warn(totals_.lostBlocks,
              "blocks of samples were too bright for the film and count as black");
         const std::string samples = std::to_string(totals_.samplesPerPixel) + " of " +

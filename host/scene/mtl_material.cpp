@@ -30,18 +30,25 @@ public:
         readColor();
         readCutOut();
         chooseType();
-        if (material_.type == MaterialType::Dielectric) {
-            material_.colorTexture = Material::kNoTexture;
-            return material_;
-        }
-        material_.opacity = opacity();
         if (const auto& map = mtl_.normalMap ? mtl_.normalMap : mtl_.bumpMap) {
             material_.normalMap = maps_.normals(*map, mtl_.directory);
+        }
+        if (material_.type == MaterialType::Dielectric) {
+            leaveOutColorTexture();
+        } else {
+            material_.opacity = opacity();
         }
         return material_;
     }
 
 private:
+    void leaveOutColorTexture() {
+        if (material_.colorTexture != Material::kNoTexture) {
+            note("map_Kd of glass was ignored");
+            material_.colorTexture = Material::kNoTexture;
+        }
+    }
+
     void note(const std::string& remark) { notes_.add(remark, name_); }
 
     double clamped(const char* statement, double value, double low, double high) {

@@ -12,6 +12,9 @@ Displacement readDisplacement(const JsonValue& value, const LoadContext& context
     displacement.mid = object.number("mid", displacement.mid);
     displacement.subdivide =
         object.wholeNumber("subdivide", 0, Displacement::kMostSubdivisions, displacement.subdivide);
+    if (context.scene.textures[displacement.texture].isMissing) {
+        displacement.scale = 0.0;
+    }
     displacement.place = value.child("subdivide").where();
     return displacement;
 }

@@ -13,6 +13,10 @@
 namespace calotype {
 namespace {
 
+/// Far beyond any real material's; the square of a ratio stays well within float.
+constexpr double kLowestIor = 0.01;
+constexpr double kHighestIor = 100.0;
+
 /// In the order of MaterialType.
 const std::array<std::string, 5> kTypes = {"diffuse", "metal", "nonmetal", "blinn_phong",
                                            "dielectric"};
@@ -36,9 +40,12 @@ std::vector<std::string> keysOf(MaterialType type) {
         break;
     case MaterialType::Dielectric:
         keys.insert(keys.end(), {"ior", "exterior_ior"});
-        return keys;
+        break;
     }
-    keys.insert(keys.end(), {"emission", "emission_side", "normal_map", "alpha", "displacement"});
+    keys.insert(keys.end(), {"normal_map", "displacement"});
+    if (type != MaterialType::Dielectric) {
+        keys.insert(keys.end(), {"emission", "emission_side", "alpha"});
+    }
     return keys;
 }
 
@@ -63,9 +70,6 @@ void readOpaque(const JsonObject& object, Material& material, const LoadContext&
     }
     if (const auto side = object.optional("emission_side")) {
         material.emitsFromFrontOnly = side->choice(kSides) == 1;
-    }
-    if (const auto map = object.optional("normal_map")) {
-        material.normalMap = readImageName(*map, context);
     }
 }
 
@@ -96,9 +100,9 @@ void readBlinnPhong(const JsonObject& object, Material& material) {
 void readDielectric(const JsonObject& object, Material& material) {
     const auto color = object.optional("color");
     material.color = color ? readReflectance(*color) : glm::dvec3(1.0);
-    material.ior = object.required("ior").positiveNumber();
+    material.ior = object.required("ior").numberIn(kLowestIor, kHighestIor);
     if (const auto exterior = object.optional("exterior_ior")) {
-        material.exteriorIor = exterior->positiveNumber();
+        material.exteriorIor = exterior->numberIn(kLowestIor, kHighestIor);
     }
 }
 
@@ -124,6 +128,9 @@ Material readMaterial(const JsonValue& value, const std::string& name, LoadConte
         readDielectric(object, material);
     } else {
         readOpaque(object, material, context);
+    }
+    if (const auto map = object.optional("normal_map")) {
+        material.normalMap = readImageName(*map, context);
     }
     if (material.type == MaterialType::Metal || material.type == MaterialType::Nonmetal) {
         readMicrofacets(object, material, context);

@@ -29,9 +29,6 @@ ImageTexture readImage(const JsonObject& object, LoadContext& context) {
     }
     const JsonValue file = object.required("file");
     image.image = readTextureFile(file.text(), context.directory, file.where(), context).image;
-    if (!image.image) {
-        image.image = magentaImage();
-    }
     return image;
 }
 
@@ -53,7 +50,12 @@ Texture readTexture(const JsonValue& value, const std::string& name, LoadContext
         texture.scale = {factors[0].positiveNumber(), factors[1].positiveNumber()};
     }
     if (type == kImage) {
-        texture.source = readImage(object, context);
+        ImageTexture image = readImage(object, context);
+        texture.isMissing = !image.image;
+        if (texture.isMissing) {
+            image.image = magentaImage();
+        }
+        texture.source = std::move(image);
     } else {
         texture.source = readChecker(object);
     }

@@ -16,7 +16,7 @@ void failOrWarn(const std::string& name, const std::filesystem::path& directory,
                 const std::string& where, LoadContext& context) {
     const std::string missing = "there is no image file " + inQuotes(name);
     if (context.options.missingTextures == MissingTextures::Warn) {
-        context.warn(where, missing + "; the picture does without it");
+        context.warn(where, missing + "; colours show magenta, and other maps are left out");
         return;
     }
     const std::string nearest = nearestFile(directory, name);

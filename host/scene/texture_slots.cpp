@@ -24,7 +24,7 @@ uint32_t readImageName(const JsonValue& value, const LoadContext& context) {
         value.fail("must name a texture of the type \"image\"; " + inQuotes(value.text()) +
                    " is none");
     }
-    return texture;
+    return context.scene.textures[texture].isMissing ? Material::kNoTexture : texture;
 }
 
 ColorSlot readColorSlot(const JsonValue& value, const LoadContext& context) {

@@ -27,7 +27,7 @@ ScalarSlot readScalarSlot(const JsonValue& value, const LoadContext& context);
 /// The index of the texture that `value` names.
 uint32_t readTextureName(const JsonValue& value, const LoadContext& context);
 
-/// The same, of one that must be an image.
+/// The same, of one that must be an image; Material::kNoTexture where its file is missing.
 uint32_t readImageName(const JsonValue& value, const LoadContext& context);
 
 } // namespace calotype

@@ -30,7 +30,7 @@ void main() {
     uint sampleCount = uint(sum.w);
     SampleId id = SampleId(parameters.cropOrigin + pixel, 0u, parameters.seed);
     PathLimits limits = PathLimits(parameters.maxBounces, parameters.lightCount);
-    PathCost cost = PathCost(0u, 0u);
+    PathCost cost = PathCost(0u, 0u, parameters.iterationsBeforeCut, false);
     uint nonFiniteSamples = 0u;
     uint cutPaths = 0u;
     uint pathsBefore = sampleCount;
@@ -42,10 +42,11 @@ void main() {
         if (pathEnded) {
             id.sampleIndex = parameters.firstSample + sampleCount;
             path = startPath(id, camera, parameters.imageSize);
+            cost.cut = false;
         }
         pathEnded = !extendPath(path, limits, cost);
         cost.iterations = subgroupMax(cost.iterations) + kIterationsOutsideTraversal;
-        bool cut = !pathEnded && cost.iterations > parameters.iterationsBeforeCut;
+        bool cut = cost.cut || (!pathEnded && cost.iterations > parameters.iterationsBeforeCut);
         cutPaths += cut ? 1u : 0u;
         pathEnded = pathEnded || cut;
         if (pathEnded) {

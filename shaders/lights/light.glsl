@@ -36,11 +36,13 @@ SurfaceSample sampleLight(Light light, vec3 reference, vec2 u) {
     return sampleTriangleLight(loadTriangle(light.primitive), light.area, reference, u);
 }
 
-/// Density per solid angle with which sampleLight chooses the direction from `reference` to a point
-/// that is seen from there.
+/// Density per solid angle with which sampleLight chooses a point that is seen from `reference`: 0
+/// on the far side of a closed light, which only a ray through the alpha of its near side meets.
 float lightPdf(Light light, vec3 reference, vec3 position, vec3 normal) {
     if (isQuadricLight(light)) {
         Quadric quadric = loadQuadric(light.primitive & ~kQuadricBit);
+        if (hasAlpha && isOnFarSide(quadric, reference, position, normal))
+            return 0.0;
         if (isSphereLight(quadric))
             return sphereLightPdf(quadric, light.area, reference, position, normal);
     }

@@ -36,12 +36,21 @@ vec3 sampleCone(float radius, float height, vec2 u) {
     return fromApex * vec3(radius * sinCos.y, height, radius * sinCos.x);
 }
 
-/// True where p, in the quadric's frame, lies inside a cylinder or cone.
+/// True where p, in the quadric's frame, lies inside a sphere, cylinder or cone.
 bool isInsideQuadric(Quadric quadric, vec3 p) {
+    if (quadric.kind == kSphere)
+        return dot(p, p) < quadric.radius * quadric.radius;
     float y = quadric.kind == kCylinder ? abs(p.y) : p.y * sign(quadric.extent);
     float yMax = quadric.kind == kCylinder ? 0.5 * quadric.extent : abs(quadric.extent);
     float radius = quadric.kind == kCylinder ? quadric.radius : quadric.slope * y;
     return y <= yMax && y >= 0.0 && dot(p.xz, p.xz) < radius * radius;
+}
+
+/// True for a point of a closed quadric that its own near side hides from `reference`.
+bool isOnFarSide(Quadric quadric, vec3 reference, vec3 position, vec3 normal) {
+    bool facesAway = dot(reference - position, normal) < 0.0;
+    return quadric.kind != kDisk && facesAway &&
+           !isInsideQuadric(quadric, (reference - quadric.center) * worldFromQuadric(quadric));
 }
 
 SurfaceSample sampleQuadricLight(Quadric quadric, float area, vec3 reference, vec2 u) {
@@ -54,11 +63,7 @@ SurfaceSample sampleQuadricLight(Quadric quadric, float area, vec3 reference, ve
         local.xz = quadric.radius * warpToDisk(u);
     }
     QuadricPoint point = quadricPoint(quadric, local);
-    vec3 toReference = reference - point.position;
-    bool facesAway = dot(toReference, point.normal) < 0.0;
-    bool hidden =
-        quadric.kind != kDisk && facesAway &&
-        !isInsideQuadric(quadric, (reference - quadric.center) * worldFromQuadric(quadric));
+    bool hidden = isOnFarSide(quadric, reference, point.position, point.normal);
     float pdf = hidden ? 0.0 : solidAnglePdf(area, reference, point.position, point.normal);
     vec2 uv = hasAlpha ? quadricCoordinates(quadric, local).uv : vec2(0.0);
     return SurfaceSample(point.position, point.error, point.normal, pdf, uv);

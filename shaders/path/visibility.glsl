@@ -6,7 +6,9 @@
 
 struct PathCost {
     uint rays;
-    uint iterations; ///< see traverse
+    uint iterations;       ///< see traverse
+    uint iterationsToLast; ///< beyond which no ray is sent on through transparent surfaces
+    bool cut;              ///< one was not
 };
 
 /// The point from which a ray goes on that passed through the surface.
@@ -33,6 +35,11 @@ float transmittance(Ray ray, uint target, inout PathCost cost) {
             ray.origin = pointBeyond(surface, ray.direction);
             ray.tMax = ray.tMax < kFar ? dot(end - ray.origin, ray.direction) : kFar;
             goesOn = share > 0.0;
+        }
+        if (goesOn && cost.iterations > cost.iterationsToLast) {
+            cost.cut = true;
+            share = 0.0;
+            goesOn = false;
         }
         cost.iterations++;
     } while (goesOn);

@@ -86,6 +86,50 @@ TEST_F(MaterialTest, ShowsItsAlbedoUnderABackground) {
     }
 }
 
+// Too narrow for the sum: a mirror shows F G1^2 of what is all around, a varnish that and its base.
+TEST_F(MaterialTest, MirrorsShowTheirAlbedo) {
+    for (const MaterialType type : {MaterialType::Metal, MaterialType::Nonmetal})
+        for (const double cosTheta : {0.95, 0.3}) {
+            SceneBuilder builder;
+            Material mirror;
+            mirror.type = type;
+            mirror.color = glm::dvec3(0.6);
+            addTiltedPlane(builder, cosTheta, builder.material(mirror));
+            surround(builder, Surroundings::EmittingSphere);
+            builder.lookAtPlaneZ(0.1);
+            Scene& scene = builder.scene();
+            scene.film = {48, 48};
+            scene.render = {64, 1, 0};
+            const bool metal = type == MaterialType::Metal;
+            const double f0 = metal ? 0.6 : 0.04;
+            const double g1 = cosTheta / (cosTheta * 0.875 + 0.125);
+            const double wanted = (f0 + (1.0 - f0) * std::pow(1.0 - cosTheta, 5)) * g1 * g1 +
+                                  (metal ? 0.0 : 0.96 * 0.6);
+            EXPECT_NEAR(imageMean(renderScene(scene).image).x, wanted, 0.003 * wanted);
+        }
+}
+
+// A background beside a lamp is chosen now and then only, and divided by its chance: together they
+// light as each alone, added up.
+TEST_F(MaterialTest, BackgroundAndLampAddUp) {
+    const auto radiance = [](bool background, bool lamp) {
+        SceneBuilder builder;
+        addTiltedPlane(builder, 0.8, builder.material(0.7, 0.0));
+        if (lamp)
+            builder.rectangle({-1.0, -1.0, 6.0}, {0.0, 2.0, 0.0}, {2.0, 0.0, 0.0},
+                              builder.material(0.0, 9.0));
+        builder.scene().background = glm::dvec3(background ? 0.4 : 0.0);
+        builder.lookAtPlaneZ(0.1);
+        builder.scene().film = {48, 48};
+        builder.scene().render = {128, 1, 0};
+        return imageMean(renderScene(builder.scene()).image).x;
+    };
+    const double lampHides = 0.4 * radiance(false, true) / 9.0; // of the background behind it
+    const double together = radiance(true, true);
+    EXPECT_NEAR(together, radiance(true, false) + radiance(false, true) - lampHides,
+                0.004 * together);
+}
+
 // Light that enters glass leaves it in the end, undiminished: the object is not to be seen.
 void expectInvisible(Shape shape, Surroundings surroundings) {
     SceneBuilder builder;

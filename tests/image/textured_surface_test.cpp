@@ -134,10 +134,10 @@ double meanOfRows(const Image& image, uint32_t from, uint32_t to) {
 TEST_F(TexturedSurfaceTest, AlphaLetsTheCameraSeeThrough) {
     for (const double alpha : {0.0, 0.2, 0.6, 1.0}) {
         const Image image = renderScene(screenScene(alpha, false)).image;
-        EXPECT_NEAR(meanOfRows(image, 0, 16), 1.0 - alpha, alpha * (1.0 - alpha) * 0.1 + 0.002);
+        EXPECT_NEAR(meanOfRows(image, 0, 16), 1.0 - alpha, alpha * (1.0 - alpha) * 0.03 + 0.001);
         EXPECT_EQ(meanOfRows(image, 16, 32), 1.0);
         const Image glowing = renderScene(screenScene(alpha, true)).image;
-        EXPECT_NEAR(meanOfRows(glowing, 0, 16), 1.0 + alpha, alpha * (1.0 - alpha) * 0.1 + 0.003);
+        EXPECT_NEAR(meanOfRows(glowing, 0, 16), 1.0 + alpha, alpha * (1.0 - alpha) * 0.05 + 0.001);
     }
 }
 
@@ -172,6 +172,33 @@ TEST_F(TexturedSurfaceTest, ShadowsAreAsDeepAsAlphaSays) {
     EXPECT_EQ(litFloor(1.0, 1.0, 1), 0.0);
     EXPECT_NEAR(litFloor(0.0, 1.0, 1) / open, 1.0, 0.01);
     EXPECT_NEAR(litFloor(1.0, 0.4, 0) / open, 0.4, 0.01);
+}
+
+/// The floor under a lamp of alpha 1/2 that is closed, so that its far side shines through.
+double floorUnder(Shape lamp, double alpha, double emission) {
+    SceneBuilder builder;
+    const uint32_t floor = builder.material(0.8, 0.0);
+    builder.rectangle({-2.0, -2.0, 0.0}, {4.0, 0.0, 0.0}, {0.0, 4.0, 0.0}, floor);
+    Material glow;
+    glow.emission = glm::dvec3(emission);
+    glow.opacity = alpha;
+    lamp.material = builder.material(glow);
+    builder.add(std::move(lamp));
+    builder.lookAtPlaneZ(0.2);
+    Scene& scene = builder.scene();
+    scene.camera.position = {0.0, 0.0, 0.2};
+    scene.film = {32, 32};
+    scene.render = {256, 1, 0};
+    return imageMean(renderScene(scene).image).x;
+}
+
+// Every ray that meets a closed convex lamp meets it twice, so alpha a shines as a + (1 - a) a.
+TEST_F(TexturedSurfaceTest, FarSideOfAClosedLampShinesThroughTheNearOne) {
+    const RigidTransform above{glm::dmat3(1.0), {0.0, 0.0, 1.2}};
+    for (const Shape& lamp :
+         {makeShape(Sphere{above, 0.6}, 0), makeShape(Cylinder{above, 0.4, 0.9}, 0),
+          makeShape(Cone{{glm::dmat3(1.0), {0.0, 0.4, 1.2}}, -0.9, 0.6}, 0)})
+        EXPECT_NEAR(floorUnder(lamp, 0.5, 1.0) / floorUnder(lamp, 1.0, 1.0), 0.75, 0.015);
 }
 
 // A ray through a translucent ball asks at its front and at its back.

@@ -83,8 +83,9 @@ TEST(ImageCorpora, JpegsDecodeToThePngBesideThem) {
             refused.push_back(path.filename());
         }
     }
-    if (compared == 0)
+    if (compared == 0 && refused.empty())
         GTEST_SKIP() << "../shared/data is not there";
+    EXPECT_GT(compared, 0);
     EXPECT_EQ(refused, (std::vector<std::string>{"partial_progressive.jpg"}));
 }
 
