@@ -25,6 +25,9 @@ void printCounts(const Scene& scene, const GpuScene& packed,
     std::printf("shapes      %zu (%zu triangles, %zu quadrics and disks)\n", scene.shapes.size(),
                 primitives.size() - quadrics, quadrics);
     std::printf("materials   %zu\n", scene.materials.size());
+    std::printf("textures    %zu (%.1f MiB on the device)\n", scene.textures.size(),
+                static_cast<double>(packed.texelRows.size() * sizeof(packed.texelRows[0])) /
+                    (1 << 20));
     std::printf("lights      %u\n", packed.lightCount);
     std::printf("dropped     %llu triangles without area\n",
                 static_cast<unsigned long long>(scene.droppedTriangles));
@@ -44,8 +47,9 @@ void printBvh(const Bvh& bvh) {
 
 void printMemory(const Device& device, const GpuScene& packed, const RenderSettings& settings) {
     const auto mib = [](uint64_t bytes) { return static_cast<double>(bytes) / (1 << 20); };
-    const uint64_t largest = std::max(packed.nodes.size() * sizeof(gpu::BvhNode),
-                                      packed.triangles.size() * sizeof(gpu::Triangle));
+    const uint64_t largest = std::max({packed.nodes.size() * sizeof(gpu::BvhNode),
+                                       packed.triangles.size() * sizeof(gpu::Triangle),
+                                       packed.texelRows.size() * sizeof(packed.texelRows[0])});
     std::printf("device      %s (%s)\n", device.info().name.c_str(),
                 device.choice().reason.c_str());
     std::printf("memory      %.1f MiB scene + %.1f MiB picture of %ux%u, of %.0f MiB\n",

@@ -4,11 +4,8 @@
 #include <array>
 #include <initializer_list>
 
-#include <stb_image.h>
-
 #include "base/error.h"
 #include "image/byte_order.h"
-#include "image/stb_limit.h"
 
 namespace calotype {
 namespace {
@@ -16,8 +13,6 @@ namespace {
 constexpr std::string_view kPngSignature = "\x89PNG\r\n\x1a\n";
 constexpr size_t kBmpFileHeader = 14;
 constexpr size_t kTgaHeader = 18;
-/// What stb_image's reader of JPEG headers keeps in memory, and ample room.
-constexpr size_t kJpegHeaderMemory = size_t{1} << 20;
 
 [[noreturn]] void failCut(const std::string& where, const char* format) {
     throw SceneError(where, std::string("the ") + format + " is incomplete: its end is missing");
@@ -128,19 +123,6 @@ ImageSize checkPng(std::string_view file, const std::string& where) {
         at += kAround + length;
     }
     return size;
-}
-
-ImageSize checkJpeg(std::string_view file, const std::string& where) {
-    int width = 0;
-    int height = 0;
-    int channels = 0;
-    stbAllocationLimit = kJpegHeaderMemory;
-    if (stbi_info_from_memory(reinterpret_cast<const stbi_uc*>(file.data()),
-                              static_cast<int>(file.size()), &width, &height, &channels) == 0)
-        throw SceneError(where, std::string("the JPEG is corrupt or of a kind that cannot be read "
-                                            "(its header: ") +
-                                    stbi_failure_reason() + ")");
-    return {static_cast<uint32_t>(width), static_cast<uint32_t>(height)};
 }
 
 ImageSize checkBmp(std::string_view file, const std::string& where) {

@@ -13,8 +13,6 @@ namespace calotype {
 ImageSize checkPng(std::string_view file, const std::string& where);
 ImageSize checkBmp(std::string_view file, const std::string& where);
 ImageSize checkTga(std::string_view file, const std::string& where);
-/// Reads the header only.
-ImageSize checkJpeg(std::string_view file, const std::string& where);
 
 bool isPng(std::string_view file);
 bool isJpeg(std::string_view file);

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "image/hdr.h"
 #include "image/image_check.h"
+#include "image/jpeg_check.h"
 #include "image/stb_limit.h"
 
 namespace calotype {

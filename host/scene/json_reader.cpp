@@ -214,8 +214,4 @@ size_t choiceAt(const JsonValue& object, const std::string& key,
     return object.child(key).choice(choices);
 }
 
-void failUnsupported(const JsonValue& value, const std::string& what) {
-    value.fail(what + " is not supported yet");
-}
-
 } // namespace calotype

@@ -87,7 +87,4 @@ private:
 size_t choiceAt(const JsonValue& object, const std::string& key,
                 std::span<const std::string> choices);
 
-/// Fails at `value`: `what` is part of the format, but not of this version.
-[[noreturn]] void failUnsupported(const JsonValue& value, const std::string& what);
-
 } // namespace calotype

@@ -28,13 +28,23 @@ vec3 mappedNormal(vec3 texel, vec3 n, vec3 dpdu, vec3 dpdv, vec3 ng) {
 /// Simulation and Rendering System", section A.3). The viewer then sees the shaded side too. All
 /// are unit vectors; wo and ns are on the side of ng.
 vec3 consistentNormal(vec3 wo, vec3 ng, vec3 ns) {
-    vec3 mirrored = 2.0 * dot(wo, ns) * ns - wo;
+    float cosine = dot(wo, ns);
+    float height = 2.0 * cosine * dot(ns, ng) - dot(wo, ng); // of the mirrored viewer
     // A little above the surface, lest a ray along it starts beneath.
-    float lowest = max(0.02 * dot(wo, ng), 1e-7);
-    float height = dot(mirrored, ng);
+    float lowest = max(0.02 * dot(wo, ng), 1e-6);
     if (height >= lowest)
         return ns;
-    return normalize(wo + normalize(mirrored + (lowest - height) * ng));
+    // Of a direction straight down something has to be left.
+    lowest = max(lowest, sqrt(max(height * height - 0.9999, 0.0)));
+    // With the lifted direction's length, sum = length wo + lifted. The two nearly cancel where the
+    // view grazes: so wo + mirrored is put as 2 (wo.ns) ns, and the sum made perpendicular to their
+    // difference, which it is but for rounding.
+    float excess2 = (lowest - height) * (lowest + height);
+    float liftedLength = sqrt(1.0 + excess2);
+    vec3 sum = 2.0 * cosine * ns + (lowest - height) * ng + excess2 / (1.0 + liftedLength) * wo;
+    vec3 difference = 2.0 * liftedLength * wo - sum;
+    float longer2 = max(dot(sum, sum), dot(difference, difference)); // lest rounding is divided by
+    return normalize(sum - dot(sum, difference) / longer2 * difference);
 }
 
 /// The direction, mirrored where it is not on the side of the normal.

@@ -20,11 +20,12 @@ vec2 wrapCoordinates(vec2 uv, uint flags) {
                                             : repeated;
 }
 
-/// The column or row of an image beside its edge: the other edge's where it repeats.
+/// The column or row of an image beside its edge: the other edge's where it repeats. Always one of
+/// the image's, also next to a coordinate that was rounded to 1 or is not a number.
 int wrapTexel(int i, int count, uint flags) {
     bool repeats = (flags & (kTextureClamps | kTextureMirrors)) == 0u;
     int wrapped = i < 0 ? i + count : i >= count ? i - count : i;
-    return repeats ? wrapped : clamp(i, 0, count - 1);
+    return clamp(repeats ? wrapped : i, 0, count - 1);
 }
 
 /// Four numbers in [0, 1] from 8 bits each, lowest first. 255 becomes 1 exactly.

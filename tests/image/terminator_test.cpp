@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/geometric.hpp>
+
 #include "image/coarse_ball.h"
 #include "image/scene_builder.h"
 #include "support/gpu_test.h"
@@ -10,12 +12,16 @@
 namespace calotype::test {
 namespace {
 
-/// The ball lit from the right by a small far lamp, seen by parallel rays.
+/// The ball lit by a small far lamp on the right, whose terminator runs along no edges of the mesh;
+/// seen by parallel rays.
 Image litBall(Shape ball) {
     SceneBuilder builder;
     builder.material(0.8, 0.0);
     const uint32_t lamp = builder.material(0.0, 1e5, true);
-    builder.rectangle({50.0, -0.5, -0.5}, {0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}, lamp);
+    const glm::dvec3 toLamp = glm::normalize(glm::dvec3(0.8, 0.4, 0.3));
+    const glm::dvec3 across = glm::normalize(glm::cross(toLamp, glm::dvec3(0.0, 1.0, 0.0)));
+    const glm::dvec3 up = glm::cross(across, toLamp);
+    builder.rectangle(50.0 * toLamp - 0.5 * (across + up), across, up, lamp); // faces the ball
     builder.add(std::move(ball));
     builder.lookAtPlaneZ(2.1);
     Scene& scene = builder.scene();
@@ -26,7 +32,7 @@ Image litBall(Shape ball) {
 
 class TerminatorTest : public GpuTest {};
 
-// Pixels that are black on the mesh where the ball has a tenth of its brightest light or more:
+// Pixels that are black on the mesh where the ball has a twentieth of its brightest light or more:
 // whole steps of triangles without the curved patch, next to none with it.
 TEST_F(TerminatorTest, CoarseMeshIsLitLikeTheBallItStandsFor) {
     const Image ball = litBall(makeShape(Sphere{{}, 1.0}, 0));
@@ -42,13 +48,13 @@ TEST_F(TerminatorTest, CoarseMeshIsLitLikeTheBallItStandsFor) {
                 const double u = (x + 0.5) / ball.width * 2.1 - 1.05;
                 const double v = (y + 0.5) / ball.height * 2.1 - 1.05;
                 const bool nearOutline = u * u + v * v > 0.75; // there the meshes' shapes differ
-                if (nearOutline || ball.at(x, y).x < 0.1f * brightest)
+                if (nearOutline || ball.at(x, y).x < 0.05f * brightest)
                     continue;
                 ++lit;
                 dark += mesh.at(x, y).x < 0.5f * ball.at(x, y).x ? 1 : 0;
             }
         EXPECT_GT(lit, 1000u);
-        EXPECT_LT(dark, lit / 200) << levels << " levels";
+        EXPECT_LT(dark, lit / 500) << levels << " levels";
     }
 }
 

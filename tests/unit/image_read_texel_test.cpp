@@ -90,6 +90,16 @@ TEST(ReadTexelImage, TellsWhetherAnythingIsTransparent) {
     EXPECT_TRUE(read(pngOf({1, 2, 3, 254})).isTransparent);
 }
 
+TEST(ReadTexelImage, RefusesHuffmanTablesThatOverflow) {
+    std::string jpeg;
+    const std::vector<Rgba8> grey(64, Rgba8{77, 77, 77, 255});
+    stbi_write_jpg_to_func(appendTo, &jpeg, 8, 8, 4, grey.data(), 100);
+    // A segment of one table with 16 times 17 codes, whose bytes are all there.
+    const std::string segment = "\xff\xc4\x01\x23" + std::string(1, '\0') +
+                                std::string(16, '\x11') + std::string(16 * 17, '\0');
+    expectRefused(jpeg.substr(0, 2) + segment + jpeg.substr(2), "malformed");
+}
+
 std::string hdrFile(uint32_t width, uint32_t height, const std::string& pixels) {
     return "#?RADIANCE\n# made here\nEXPOSURE=2\nFORMAT=32-bit_rle_rgbe\n\n-Y " +
            std::to_string(height) + " +X " + std::to_string(width) + "\n" + pixels;

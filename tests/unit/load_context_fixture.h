@@ -36,7 +36,7 @@ public:
 
     const LoadOptions options;
     SceneFiles files;
-    LoadContext context{options, files.path(""), {}, {}, {}, {}, {}, {}};
+    LoadContext context{options, files.path("")};
 
     static constexpr uint32_t kHoles = 0;
     static constexpr uint32_t kOpaque = 1;

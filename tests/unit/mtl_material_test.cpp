@@ -11,7 +11,8 @@ namespace {
 class MtlMaterials : public testing::Test {
 protected:
     MtlMaterials() {
-        files_.write("m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n");
+        files_.write("m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
+                              "usemtl a\nf 1/1 2/2 3/3\n");
         files_.write("red.png", pngOf({255, 0, 0, 255}));
         files_.write("leaf.png", pngOf({0, 255, 0, 100}));
         files_.write("grey.png", pngOf({60, 60, 60, 255}));

@@ -1,3 +1,4 @@
+#include <memory>
 #include <numbers>
 #include <set>
 
@@ -47,11 +48,14 @@ Mesh triangleOf(uint32_t material) {
 using Features = std::set<uint32_t>;
 
 TEST(PackScene, EnablesWhatTheSceneHasAndNothingElse) {
-    EXPECT_EQ(featuresOf(packed({shapeOf(Sphere{})})), Features{gpu::kFeatureSpheres});
-    EXPECT_EQ(featuresOf(packed({shapeOf(Cylinder{})})), Features{gpu::kFeatureCylinders});
-    EXPECT_EQ(featuresOf(packed({shapeOf(Cone{})})), Features{gpu::kFeatureCones});
-    EXPECT_EQ(featuresOf(packed({shapeOf(Disk{})})), Features{gpu::kFeatureDisks});
-    EXPECT_EQ(featuresOf(packed({shapeOf(triangleOf(0))})), Features{gpu::kFeatureTriangles});
+    constexpr uint32_t kDiffuse = gpu::kFeatureDiffuse; // of material 0; lamps are black
+    EXPECT_EQ(featuresOf(packed({shapeOf(Sphere{})})), (Features{gpu::kFeatureSpheres, kDiffuse}));
+    EXPECT_EQ(featuresOf(packed({shapeOf(Cylinder{})})),
+              (Features{gpu::kFeatureCylinders, kDiffuse}));
+    EXPECT_EQ(featuresOf(packed({shapeOf(Cone{})})), (Features{gpu::kFeatureCones, kDiffuse}));
+    EXPECT_EQ(featuresOf(packed({shapeOf(Disk{})})), (Features{gpu::kFeatureDisks, kDiffuse}));
+    EXPECT_EQ(featuresOf(packed({shapeOf(triangleOf(0))})),
+              (Features{gpu::kFeatureTriangles, kDiffuse}));
     EXPECT_EQ(featuresOf(packed({shapeOf(triangleOf(1))})),
               (Features{gpu::kFeatureTriangles, gpu::kFeatureTriangleLights}));
     EXPECT_EQ(featuresOf(packed({shapeOf(Sphere{}, 1), shapeOf(Disk{}, 2)})),
@@ -65,7 +69,40 @@ TEST(PackScene, EnablesWhatTheSceneHasAndNothingElse) {
     smooth.triangles[0].normal[0] = smooth.triangles[0].normal[1] = smooth.triangles[0].normal[2] =
         0;
     EXPECT_EQ(featuresOf(packed({shapeOf(smooth)})),
-              (Features{gpu::kFeatureTriangles, gpu::kFeatureSmoothNormals}));
+              (Features{gpu::kFeatureTriangles, gpu::kFeatureSmoothNormals, kDiffuse}));
+}
+
+// What only a material asks for that nothing bears is neither compiled in nor uploaded.
+TEST(PackScene, LeavesOutMaterialsThatNothingBears) {
+    Scene scene = sceneOf({shapeOf(Sphere{})});
+    auto image = std::make_shared<TexelImage>();
+    image->width = image->height = 64;
+    image->bytes.resize(4 * 64 * 64);
+    scene.textures = {{"unused", ImageTexture{image}}};
+    scene.materials.resize(2);
+    scene.materials[1].type = MaterialType::Metal;
+    scene.materials[1].colorTexture = 0;
+    EXPECT_EQ(featuresOf(packAsProgram(scene).packed),
+              (Features{gpu::kFeatureSpheres, gpu::kFeatureDiffuse}));
+    EXPECT_LT(packAsProgram(scene).packed.texelRows.size(), 2u);
+    scene.shapes[0].material = 1;
+    EXPECT_EQ(featuresOf(packAsProgram(scene).packed),
+              (Features{gpu::kFeatureSpheres, gpu::kFeatureGgx, gpu::kFeatureMirrors,
+                        gpu::kFeatureColorTextures, gpu::kFeatureByteTexels}));
+    EXPECT_EQ(packAsProgram(scene).packed.texelRows.size(), 64u * 64u / 4u);
+}
+
+// Half of the light samples at most go to the background, which rays that leave find anyway.
+TEST(PackScene, BackgroundIsTheLastLight) {
+    Scene scene = sceneOf({shapeOf(Sphere{}, 1), shapeOf(Disk{{}, 1e4})});
+    scene.materials = materials();
+    scene.background = glm::dvec3(0.5, 16.0, 1.0);
+    const GpuScene packed = packAsProgram(scene).packed;
+    ASSERT_EQ(packed.lightCount, 2u);
+    EXPECT_EQ(packed.lights[1].primitive, gpu::kBackground);
+    EXPECT_EQ(packed.lights[1].radiance, glm::vec3(0.5f, 16.0f, 1.0f));
+    EXPECT_NEAR(packed.lights[1].selectionChance, 0.5, 1e-6);
+    EXPECT_EQ(packed.maxRadiance, 16.0);
 }
 
 TEST(PackScene, LinksLightsAndPrimitivesBothWays) {

@@ -2,6 +2,7 @@
 #ifndef CALOTYPE_TEST_STRUCTS_H
 #define CALOTYPE_TEST_STRUCTS_H
 
+#include "shared/scene_structs.h"
 #include "shared/types.h"
 
 CALOTYPE_BEGIN_SHARED
@@ -91,6 +92,69 @@ struct TestScattered {
     float givenPdf;
     vec3 ns; ///< as bent to the viewer
     float diffuseChance;
+};
+
+struct TestTextureRead {
+    vec2 uv;
+    uint index;
+    uint decode;
+};
+
+struct TestCoordinates {
+    vec3 position;
+    float u;
+    vec3 dpdu;
+    float v;
+    vec3 dpdv;
+    float t;
+};
+
+struct TestNormalMap {
+    vec3 texel;
+    float pad0;
+    vec3 n;
+    float pad1;
+    vec3 dpdu;
+    float pad2;
+    vec3 dpdv;
+    float pad3;
+    vec3 ng;
+    float pad4;
+    vec3 wo; ///< for consistentNormal of n
+    float pad5;
+};
+
+struct TestNormals {
+    vec3 mapped;
+    float pad0;
+    vec3 consistent;
+    float pad1;
+};
+
+struct TestFilmQuery {
+    Camera camera;
+    vec2 position; ///< on the film, pixels
+    vec2 u;        ///< on the lens
+    uvec2 imageSize;
+    uint pad0;
+    uint pad1;
+};
+
+struct TestCameraRay {
+    vec3 origin;
+    float tMax;
+    vec3 direction;
+    float pad0;
+};
+
+struct TestSmoothPoint {
+    Triangle triangle;
+    TriangleNormals normals;
+    vec3 position;
+    float side;
+    vec2 barycentrics;
+    float pad0;
+    float pad1;
 };
 
 CALOTYPE_END_SHARED
