@@ -105,11 +105,17 @@ private:
         return std::ranges::find(models, illumination_) != models.end();
     }
 
+    /// Tinted glass of exporters that know no index: without its filter it would be black.
+    bool isBlackFilter() const {
+        const bool tints = largest(mtl_.filter) > 0.0 && mtl_.filter != glm::dvec3(1.0);
+        return tints && !mtl_.diffuseMap && largest(material_.color) <= kBlack;
+    }
+
     /// Light cannot come from glass itself, and what has holes is thin.
     bool isGlass() const {
         const bool transmits = mtl_.dissolve.value_or(1.0) < 1.0 ||
                                mtl_.transparency.value_or(0.0) > 0.0 ||
-                               mtl_.ior.value_or(1.0) != 1.0;
+                               mtl_.ior.value_or(1.0) != 1.0 || isBlackFilter();
         return isIllumination({4, 6, 7, 9}) && transmits && mtl_.emission == glm::dvec3(0.0) &&
                material_.alphaTexture == Material::kNoTexture;
     }

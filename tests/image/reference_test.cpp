@@ -41,5 +41,49 @@ TEST_F(ReferenceTest, BitterliCornellBox) {
               << ", relative MSE " << relativeMse(seen, expected) << "\n";
 }
 
+// B. Bitterli's Veach scene, rendered by Tungsten with direct light only. Its plates are left out:
+// nothing else has colour, and Beckmann's distribution is none of ours (tests/image/README.md).
+// What is left are diffuse walls, lit by spheres whose areas differ 400-fold, and the spheres
+// themselves.
+TEST_F(ReferenceTest, BitterliVeachMisButForItsPlates) {
+    const std::filesystem::path reference = std::filesystem::path(CALOTYPE_SOURCE_DIR) /
+                                            "../shared/data/bitterli-veach-mis/TungstenRender.exr";
+    if (!std::filesystem::exists(reference)) {
+        GTEST_SKIP() << "there is no " << reference;
+    }
+    const Scene scene = projectScene("tests/image/scenes/bitterli-veach-mis.json");
+    RenderWish wish;
+    wish.width = 320;
+    wish.height = 180;
+    wish.samplesPerPixel = 64;
+    const Image seen = renderScene(scene, wish).image;
+    const Image expected = boxDownsample(readExr(reference), 4);
+
+    struct Part {
+        double seen = 0.0;
+        double expected = 0.0;
+        double ratio() const { return seen / expected; }
+    } room, lamps;
+    int platePixels = 0;
+    for (size_t i = 0; i < seen.pixels.size(); ++i) {
+        const glm::vec3& pixel = seen.pixels[i];
+        if (pixel.x != pixel.z) {
+            ++platePixels;
+            continue;
+        }
+        Part& part = expected.pixels[i].y > 1.0f ? lamps : room;
+        part.seen += pixel.y;
+        part.expected += expected.pixels[i].y;
+    }
+    // Lest a colour cast everywhere leave nothing to compare: the plates fill a sixth of the
+    // picture.
+    EXPECT_LT(platePixels, 14000);
+    EXPECT_NEAR(room.ratio(), 1.0, 0.002);
+    // The small lamp is 5 pixels large, so that samples along its rim decide a hundredth.
+    EXPECT_NEAR(lamps.ratio(), 1.0, 0.02);
+    std::cout << "mean over the reference's: room " << room.ratio() << ", lamps " << lamps.ratio()
+              << ", apart from " << platePixels << " pixels of the plates\n";
+}
+
 } // namespace
 } // namespace calotype::test

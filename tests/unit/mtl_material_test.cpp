@@ -138,6 +138,19 @@ TEST_F(MtlMaterials, GlassNeedsItsModelAndTransparency) {
     }
 }
 
+TEST_F(MtlMaterials, ABlackFilterIsGlass) {
+    const Material pane =
+        remarkedMaterialOf("illum 4\nKd 0\nKs 0.1\nNs 9\nd 1\nNi 1\nTf 0.4\n", "Ni of glass");
+    EXPECT_EQ(pane.type, MaterialType::Dielectric);
+    EXPECT_EQ(pane.color, glm::dvec3(0.4));
+    EXPECT_EQ(pane.ior, 1.5);
+    for (const char* statements :
+         {"illum 4\nKd 0.2\nTf 0.4\n", "illum 4\nKd 0\nTf 1\n", "illum 4\nKd 0\nTf 0\n",
+          "illum 2\nKd 0\nTf 0.4\n", "illum 4\nKd 0.01\nmap_Kd red.png\nTf 0.4\n"}) {
+        EXPECT_EQ(materialOf(statements).type, MaterialType::Diffuse) << statements;
+    }
+}
+
 TEST_F(MtlMaterials, DissolveGivesOpacity) {
     EXPECT_EQ(materialOf("d 0.3\n").opacity, 0.3);
     EXPECT_EQ(materialOf("d -halo 0.3\n").opacity, 0.3);
