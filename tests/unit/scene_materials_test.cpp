@@ -64,6 +64,8 @@ TEST_F(SceneMaterials, Dielectric) {
     EXPECT_EQ(glass.type, MaterialType::Dielectric);
     EXPECT_EQ(glass.color, glm::dvec3(1.0));
     EXPECT_EQ(glass.ior, 1.5);
+    EXPECT_EQ(read(R"({"type": "dielectric", "ior": 1.5, "normal_map": "opaque"})").normalMap,
+              kOpaque);
     EXPECT_EQ(glass.exteriorIor, 1.0);
     const Material bubble =
         read(R"({"type": "dielectric", "ior": 1, "exterior_ior": 1.33, "color": [1, 0.5, 0.25]})");
@@ -149,13 +151,16 @@ TEST_F(SceneMaterials, MistakesAreErrorsWithTheirPlaces) {
         {paint + R"(, "ks": 0, "exponent": 1, "normalize": 1)", "/normalize", "true or false"},
         {paint + R"(, "ks": 0, "exponent": 1, "roughness": 1)", "/roughness", "unknown key"},
         {R"("type": "dielectric")", "", "lacks \"ior\""},
-        {R"("type": "dielectric", "ior": 0)", "/ior", "greater than 0"},
-        {R"("type": "dielectric", "ior": 1, "exterior_ior": -1)", "/exterior_ior", "greater than"},
+        {R"("type": "dielectric", "ior": 0)", "/ior", "in [0.01, 100], not 0"},
+        {R"("type": "dielectric", "ior": 101)", "/ior", "in [0.01, 100], not 101"},
+        {R"("type": "dielectric", "ior": 1, "exterior_ior": -1)", "/exterior_ior",
+         "in [0.01, 100]"},
         {R"("type": "dielectric", "ior": 1, "color": "opaque")", "/color", "cannot stand here"},
         {R"("type": "dielectric", "ior": 1, "emission": 1)", "/emission", "cannot emit light"},
         {R"("type": "dielectric", "ior": 1, "emission_side": "both")", "/emission_side",
          "cannot emit light"},
-        {R"("type": "dielectric", "ior": 1, "normal_map": "opaque")", "/normal_map", "unknown key"},
+        {R"("type": "dielectric", "ior": 1, "alpha": false)", "/alpha", "unknown key"},
+        {R"("type": "dielectric", "ior": 1, "normal_map": "none")", "/normal_map", "no texture"},
         {displaced + "0.1", "/displacement", "must be an object"},
         {displaced + R"({"scale": 1})", "/displacement", "lacks \"texture\""},
         {displaced + R"({"texture": "tiles"})", "/displacement", "lacks \"scale\""},
