@@ -3,6 +3,9 @@
 // the corners' normals: the mean, by barycentric weights, of the point's projections onto the
 // tangent planes at the corners (Hanika 2021, "Hacking the Shadow Terminator", Ray Tracing Gems II,
 // chapter 4). Where the surface is concave, or flat, the patch is the triangle.
+//
+// The patch stands off the triangle by its sagitta. What touches a coarse mesh within that distance
+// does not shadow it: finer meshes, or flat normals, keep such contacts dark.
 #ifndef CALOTYPE_SHAPES_TERMINATOR_GLSL
 #define CALOTYPE_SHAPES_TERMINATOR_GLSL
 
