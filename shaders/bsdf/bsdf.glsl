@@ -75,7 +75,9 @@ Bsdf makeBsdf(SurfaceParameters surface, vec3 ng, vec3 ns, vec3 horizon, vec3 wo
     bsdf.horizon = side * horizon;
     bsdf.worldFromShading = worldFromLocal(consistentNormal(woWorld, bsdf.ng, side * ns));
     vec3 wo = woWorld * bsdf.worldFromShading;
-    bsdf.wo = vec3(wo.xy, greater(wo.z, 1e-6)); // rounding may leave it below the surface
+    // A cosine: the sum of three products is off by gamma_3 (4e-7) at most, and the frame's axes by
+    // as much again, so a view along the surface may come out below it by less than 1e-6.
+    bsdf.wo = vec3(wo.xy, greater(wo.z, 1e-6));
     bsdf.diffuse = surface.color;
     bsdf.diffuseChance = 1.0;
     bsdf.isMirror = false;

@@ -30,7 +30,8 @@ vec3 mappedNormal(vec3 texel, vec3 n, vec3 dpdu, vec3 dpdv, vec3 ng) {
 vec3 consistentNormal(vec3 wo, vec3 ng, vec3 ns) {
     float cosine = dot(wo, ns);
     float height = 2.0 * cosine * dot(ns, ng) - dot(wo, ng); // of the mirrored viewer
-    // A little above the surface, lest a ray along it starts beneath.
+    // Cosines to ng: a fiftieth of the viewer's, and at least twice the rounding of a dot product
+    // of unit vectors (gamma_3, 4e-7), lest a ray along the surface starts beneath it.
     float lowest = max(0.02 * dot(wo, ng), 1e-6);
     if (height >= lowest)
         return ns;

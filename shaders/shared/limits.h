@@ -21,8 +21,9 @@ CALOTYPE_CONSTANT uint kMaxLeafPrimitives = 4;
 /// Steps of the table of the film filter's quantiles.
 CALOTYPE_CONSTANT uint kFilterSteps = 1023;
 
-/// GGX lobes of a smaller alpha (roughness below 0.01) are mirrors: float resolves no narrower
-/// ones.
+/// GGX lobes of a smaller alpha (roughness below 0.01) are mirrors. No unit: the tangent of a
+/// lobe's half width. Rounding turns a half vector by some 4e-7 radians, 0.4 % of this one, which
+/// moves D by less than 2 %; float resolves no narrower lobes.
 CALOTYPE_CONSTANT float kMirrorAlpha = 1e-4f;
 
 CALOTYPE_END_SHARED

@@ -170,7 +170,7 @@ TEST_F(FindFile, InAnyCaseAndWithAnySlash) {
 
 TEST_F(FindFile, AbsolutePathsOfOtherMachinesEndHere) {
     EXPECT_EQ(find("C:\\Users\\me\\a.png"), "a.png");
-    EXPECT_EQ(find("d:/work/textures/old wood/oak 1.png"), "Textures/Old Wood/Oak 1.PNG");
+    EXPECT_EQ(find("d:/models/textures/old wood/oak 1.png"), "Textures/Old Wood/Oak 1.PNG");
     EXPECT_EQ(find("\\\\server\\share\\B.png"), "b.Png");
     EXPECT_EQ(find("/no/such/folder/a.png"), "a.png");
     EXPECT_EQ(find("C:\\Users\\me\\c.png"), "");
