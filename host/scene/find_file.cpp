@@ -31,14 +31,6 @@ bool isAbsolute(const std::string& name) {
            (name.size() > 1 && std::isalpha(static_cast<unsigned char>(name[0])) && name[1] == ':');
 }
 
-/// ASCII only: other letters must be written as they are.
-std::string lowercase(std::string text) {
-    std::ranges::transform(text, text.begin(), [](unsigned char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : static_cast<char>(c);
-    });
-    return text;
-}
-
 std::vector<std::string> entriesOf(const fs::path& folder) {
     std::vector<std::string> names;
     std::error_code stop;

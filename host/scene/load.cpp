@@ -5,6 +5,7 @@
 #include "scene/json_document.h"
 #include "scene/load_context.h"
 #include "scene/model_scene.h"
+#include "scene/names.h"
 #include "scene/read_color.h"
 #include "scene/read_file.h"
 #include "scene/read_lights.h"
@@ -78,9 +79,7 @@ void readScene(const JsonObject& root, LoadContext& context) {
 
 /// Whether the name ends in ".obj", in any case.
 bool isModel(const std::string& path) {
-    const std::string extension = std::filesystem::path(path).extension().string();
-    return std::ranges::equal(extension, std::string_view(".obj"),
-                              [](char a, char b) { return a == b || a == b - 'a' + 'A'; });
+    return lowercase(std::filesystem::path(path).extension().string()) == ".obj";
 }
 
 } // namespace

@@ -74,14 +74,6 @@ double parseFinite(TextCursor& cursor, std::string_view keyword, const std::stri
     return *value;
 }
 
-std::string lowercase(std::string_view word) {
-    std::string result(word);
-    std::ranges::transform(result, result.begin(), [](unsigned char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : static_cast<char>(c);
-    });
-    return result;
-}
-
 struct ColorStatement {
     std::string_view keyword;
     void (*set)(MtlMaterial&, const glm::dvec3&);

@@ -97,4 +97,12 @@ std::string suggestion(std::string_view name, std::span<const std::string> known
     return known.empty() ? std::string() : "; known here: " + listInQuotes(known);
 }
 
+std::string lowercase(std::string_view text) {
+    std::string result(text);
+    std::ranges::transform(result, result.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    return result;
+}
+
 } // namespace calotype
