@@ -1,15 +1,30 @@
 #include "cli/interrupt.h"
 
 #include <csignal>
+#include <ctime>
 #include <unistd.h>
 
 namespace calotype {
 namespace {
 
+/// Signals less than this apart, in seconds, are one wish: `timeout` signals the program and then
+/// its process group. Nobody presses Ctrl-C twice so fast.
+constexpr double kOneWish = 0.2;
+
 volatile std::sig_atomic_t interrupted = 0;
+timespec
+    firstSignalAt; // read and written by the handler only, which is never interrupted by itself
+
+double secondsBetween(const timespec& begin, const timespec& end) {
+    return double(end.tv_sec - begin.tv_sec) + double(end.tv_nsec - begin.tv_nsec) * 1e-9;
+}
 
 void onSignal(int signal) {
-    if (interrupted)
+    timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    if (!interrupted)
+        firstSignalAt = now;
+    else if (secondsBetween(firstSignalAt, now) > kOneWish)
         _exit(128 + signal);
     interrupted = 1;
 }
@@ -20,6 +35,8 @@ void catchInterrupts() {
     struct sigaction action {};
     action.sa_handler = onSignal;
     action.sa_flags = SA_RESTART;
+    sigaddset(&action.sa_mask, SIGINT);
+    sigaddset(&action.sa_mask, SIGTERM);
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
     // A file size limit or a closed pipe is then an error of the write, which is cleaned up after.

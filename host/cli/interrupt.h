@@ -10,7 +10,8 @@ public:
     Interrupted() : Error("interrupted before the first sample; nothing was written") {}
 };
 
-/// From now on the first SIGINT or SIGTERM is only noted; a second one ends the program at once.
+/// From now on the first SIGINT or SIGTERM is only noted; another one, more than a fifth of a
+/// second later, ends the program at once.
 /// Signals of failing writes are ignored, so that the writes fail instead.
 void catchInterrupts();
 

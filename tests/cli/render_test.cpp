@@ -1,8 +1,10 @@
 // What `calotype render` writes and says.
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <filesystem>
-#include <utility>
+#include <functional>
+#include <thread>
 
 #include <nlohmann/json.hpp>
 
@@ -166,19 +168,16 @@ TEST_F(RenderTest, PreviewsBySeconds) {
     EXPECT_TRUE(std::filesystem::exists(preview));
 }
 
-/// A render of hours. Its first preview says that it is under way; from then on `signals` SIGINTs
-/// are sent, 50 ms apart.
+/// A render of hours. Its first preview says that it is under way; then `interrupt` is called once
+/// with the program's id.
 class InterruptTest : public CliTest {
 protected:
-    ProgramResult runInterrupted(int signals, double& sentAt) {
+    ProgramResult runInterrupted(const std::function<void(int)>& interrupt) {
         ProgramOptions options;
-        options.whileRunning = [&, sent = false](int pid, double seconds) mutable {
-            const bool underWay = std::filesystem::exists(preview_);
-            if (underWay && !std::exchange(sent, true)) {
-                kill(pid, SIGINT);
-                if (signals > 1)
-                    kill(pid, SIGTERM);
-                sentAt = seconds;
+        options.whileRunning = [&](int pid, double seconds) {
+            if (interruptedAt_ == 0.0 && std::filesystem::exists(preview_)) {
+                interrupt(pid);
+                interruptedAt_ = seconds;
             }
         };
         return runProgram({"render", scene_, "-o", out_, "--size", "640x480", "--spp", "1000000",
@@ -186,16 +185,16 @@ protected:
                           options);
     }
 
+    double interruptedAt_ = 0.0; ///< seconds of the program's age
     const std::string out_ = folder_ / "a.pfm";
     const std::string stats_ = folder_ / "stats.json";
     const std::string preview_ = folder_ / "preview.png";
 };
 
 TEST_F(InterruptTest, WritesWhatThereIsWithinASecond) {
-    double sentAt = 0.0;
-    const ProgramResult result = runInterrupted(1, sentAt);
+    const ProgramResult result = runInterrupted([](int pid) { kill(pid, SIGINT); });
     EXPECT_EQ(result.exitCode, 1) << result.errors;
-    EXPECT_LT(result.seconds - sentAt, 1.0);
+    EXPECT_LT(result.seconds - interruptedAt_, 1.0);
     EXPECT_NE(result.errors.find("interrupted after"), std::string::npos) << result.errors;
     EXPECT_GT(imageMean(readPfm(out_)).y, 0.0);
     const auto json = nlohmann::json::parse(readText(stats_));
@@ -203,13 +202,28 @@ TEST_F(InterruptTest, WritesWhatThereIsWithinASecond) {
     EXPECT_LT(json["spp"], 1000000);
 }
 
-// Two signals that are pending together are both delivered before the program goes on.
-TEST_F(InterruptTest, SecondSignalEndsAtOnce) {
-    double sentAt = 0.0;
-    const ProgramResult result = runInterrupted(2, sentAt);
-    EXPECT_TRUE(result.exitCode == 128 + SIGINT || result.exitCode == 128 + SIGTERM)
-        << result.exitCode;
-    EXPECT_LT(result.seconds - sentAt, 0.5);
+// As from `timeout`, which signals the program and again its process group.
+TEST_F(InterruptTest, SignalsAtOnceAreOneWish) {
+    const ProgramResult result = runInterrupted([](int pid) {
+        kill(pid, SIGINT);
+        kill(pid, SIGTERM);
+    });
+    EXPECT_EQ(result.exitCode, 1) << result.errors;
+    EXPECT_GT(imageMean(readPfm(out_)).y, 0.0);
+}
+
+// Held still between the two, so that it cannot have ended by itself before the second.
+TEST_F(InterruptTest, LaterSignalEndsAtOnce) {
+    const ProgramResult result = runInterrupted([](int pid) {
+        kill(pid, SIGINT);
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        kill(pid, SIGSTOP);
+        std::this_thread::sleep_for(std::chrono::milliseconds(300));
+        kill(pid, SIGTERM);
+        kill(pid, SIGCONT);
+    });
+    EXPECT_EQ(result.exitCode, 128 + SIGTERM) << result.errors;
+    EXPECT_LT(result.seconds - interruptedAt_, 1.0);
     EXPECT_FALSE(std::filesystem::exists(out_));
 }
 
