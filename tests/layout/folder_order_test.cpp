@@ -47,8 +47,9 @@ std::set<std::string> includedFolders(const fs::path& file) {
 
 // The order of the design: a folder includes itself and what stands to its left.
 TEST(FolderOrderTest, HostIncludesOnlyToTheLeft) {
-    const std::vector<std::string> order = {"base", "math", "image", "scene",   "accel",  "shared",
-                                            "pack", "gpu",  "film",  "kernels", "render", "cli"};
+    const std::vector<std::string> order = {"base",      "math",   "image", "scene", "accel",
+                                            "shared",    "pack",   "gpu",   "film",  "kernels",
+                                            "reference", "render", "cli"};
     std::map<std::string, long> place;
     for (const std::string& folder : order)
         place[folder] = std::find(order.begin(), order.end(), folder) - order.begin();
@@ -66,6 +67,18 @@ TEST(FolderOrderTest, HostIncludesOnlyToTheLeft) {
         }
     }
     EXPECT_GT(files, 50u);
+}
+
+// The reference judges what stands between the scene and it, so it must share nothing of that.
+TEST(FolderOrderTest, ReferenceKnowsTheSceneOnly) {
+    const std::set<std::string> allowed = {"base", "math", "image", "scene", "reference"};
+    size_t files = 0;
+    for (const fs::path& file : filesBelow(kRoot / "host/reference")) {
+        ++files;
+        for (const std::string& included : includedFolders(file))
+            EXPECT_TRUE(allowed.contains(included)) << file << " includes " << included;
+    }
+    EXPECT_GT(files, 0u);
 }
 
 // Shader library code is pure, so that a test kernel can call the very function that the renderer

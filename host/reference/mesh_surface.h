@@ -1,0 +1,18 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "reference/surface.h"
+#include "reference/triangle.h"
+#include "scene/scene.h"
+
+namespace calotype::reference {
+
+Corners cornersOf(const Mesh& mesh, const Mesh::Triangle& triangle);
+
+/// The surface of the mesh where a ray of the given direction hits the triangle. All but its
+/// material and primitive.
+Surface surfaceAt(const Mesh& mesh, const Mesh::Triangle& triangle, const glm::dvec3& weights,
+                  const glm::dvec3& rayDirection);
+
+} // namespace calotype::reference

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
+
+#include "math/bounds.h"
+#include "reference/ray.h"
+#include "reference/rounding.h"
+
+namespace calotype::reference {
+
+/// A ray as thick as all roundings on the way, so that it meets the box of every shape that it is
+/// found to hit: the shape and the box are each seen from the origin within a few operations on
+/// coordinates no larger than those of the origin and of the scene together.
+class ThickRay {
+public:
+    /// `sceneMagnitude` is the largest coordinate in the scene.
+    ThickRay(const Ray& ray, double sceneMagnitude) {
+        const glm::dvec3 o = glm::abs(ray.origin);
+        const double magnitude = sceneMagnitude + std::max({o.x, o.y, o.z});
+        const glm::dvec3 halfWidth(kSurfaceTolerance * magnitude);
+        upperSide_ = ray.origin + halfWidth;
+        lowerSide_ = ray.origin - halfWidth;
+        for (int axis = 0; axis < 3; ++axis)
+            inverse_[axis] = 1.0 / movement(ray.direction[axis]);
+    }
+
+    /// Whether part of the ray up to t = `reach` lies in the box.
+    bool meets(const Bounds3d& box, double reach) const {
+        const glm::dvec3 toLower = (box.lower - upperSide_) * inverse_;
+        const glm::dvec3 toUpper = (box.upper - lowerSide_) * inverse_;
+        const glm::dvec3 enter = glm::min(toLower, toUpper);
+        const glm::dvec3 leave = glm::max(toLower, toUpper);
+        return std::max({enter.x, enter.y, enter.z, 0.0}) <=
+               std::min({leave.x, leave.y, leave.z, reach});
+    }
+
+private:
+    /// A ray that does not move along an axis moves by next to nothing, 1e-300 metres a metre, so
+    /// that its inverse is finite, and 0 times it is 0.
+    static double movement(double component) {
+        constexpr double kNextToNothing = 1e-300;
+        return std::abs(component) > kNextToNothing ? component
+                                                    : std::copysign(kNextToNothing, component);
+    }
+
+    glm::dvec3 upperSide_;
+    glm::dvec3 lowerSide_;
+    glm::dvec3 inverse_;
+};
+
+} // namespace calotype::reference
