@@ -105,6 +105,10 @@ CLI::App& addRenderCommand(CLI::App& app, RenderOptions& options) {
               "Brighten PNGs by this many stops (factors of two)", "STOPS");
     addParsed(command, "--tonemap", options.display.toneMap, parseToneMap,
               "How PNGs treat bright light: " + std::string(kToneMapNames), "NAME");
+    addParsed(
+        command, "--aov", options.layers, parseLayers,
+        "Layers of the first hits, for .exr outputs: albedo,normal,depth,position,primitive,uv",
+        "LIST");
     addParsed(command, "--preview-every", options.previewInterval, parsePreviewInterval,
               "Write the picture so far every N samples, or every so many seconds", "N|10s");
     command

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "film/display_transform.h"
+#include "image/exr_layers.h"
 #include "render/render_settings.h"
 #include "scene/load.h"
 
@@ -44,6 +45,7 @@ struct RenderOptions {
     std::optional<PictureSize> size;
     std::optional<Crop> crop;
     DisplayTransform display;
+    std::vector<FirstHitLayer> layers; ///< of the EXR outputs, beside the picture
     PreviewInterval previewInterval;
     std::string previewFile; ///< empty: the first output
     std::string statsFile;   ///< empty: none

@@ -1,5 +1,6 @@
 #include "cli/parse_values.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "scene/names.h"
 
 namespace calotype {
 namespace {
@@ -39,6 +41,14 @@ std::optional<std::vector<uint32_t>> parseList(std::string_view text, char separ
     if (numbers.size() != count)
         return std::nullopt;
     return numbers;
+}
+
+FirstHitLayer parseLayer(std::string_view name) {
+    const auto found = std::ranges::find(kFirstHitLayerNames, name);
+    if (found == kFirstHitLayerNames.end())
+        throw UsageError("--aov has no layer " + inQuotes(name) +
+                         suggestion(name, kFirstHitLayerNames));
+    return static_cast<FirstHitLayer>(found - kFirstHitLayerNames.begin());
 }
 
 [[noreturn]] void fail(const std::string& option, const std::string& text,
@@ -100,6 +110,21 @@ float parseExposure(const std::string& text) {
     if (!stops || !(std::abs(*stops) <= kMaxStops))
         fail("--exposure", text, "a number of stops from -100 to 100");
     return *stops;
+}
+
+std::vector<FirstHitLayer> parseLayers(const std::string& text) {
+    std::vector<FirstHitLayer> layers;
+    for (std::string_view rest = text;;) {
+        const size_t end = rest.find(',');
+        const FirstHitLayer layer = parseLayer(rest.substr(0, end));
+        if (std::ranges::count(layers, layer) > 0)
+            throw UsageError("--aov '" + text + "' names " + inQuotes(rest.substr(0, end)) +
+                             " twice");
+        layers.push_back(layer);
+        if (end == std::string_view::npos)
+            return layers;
+        rest.remove_prefix(end + 1);
+    }
 }
 
 } // namespace calotype

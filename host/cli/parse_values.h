@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "cli/options.h"
 
@@ -15,5 +16,8 @@ SceneOverride parseOverride(const std::string& text);          ///< --set "/poin
 MissingTextures parseMissingTextures(const std::string& text); ///< --missing-textures
 ToneMap parseToneMap(const std::string& text);                 ///< --tonemap
 float parseExposure(const std::string& text);                  ///< --exposure "-1.5", in stops
+
+/// --aov "albedo,normal"
+std::vector<FirstHitLayer> parseLayers(const std::string& text);
 
 } // namespace calotype

@@ -4,20 +4,19 @@
 #include <chrono>
 #include <cstdio>
 #include <exception>
-#include <filesystem>
-#include <set>
 
 #include "accel/median_split.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "cli/check_outputs.h"
 #include "cli/device_session.h"
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
 #include "cli/progress.h"
 #include "cli/statistics.h"
 #include "film/write_image.h"
-#include "image/image_format.h"
 #include "pack/gpu_scene.h"
+#include "render/first_hit_pass.h"
 #include "render/render_session.h"
 #include "render/scene_buffers.h"
 #include "scene/load.h"
@@ -39,29 +38,6 @@ auto timed(double& seconds, Stage&& stage) {
 void throwIfInterrupted() {
     if (isInterrupted())
         throw Interrupted();
-}
-
-/// Everything that could keep a result from being written is known before rendering starts.
-void checkOutputs(const RenderOptions& options) {
-    std::set<std::filesystem::path> taken = {std::filesystem::weakly_canonical(options.scene.path)};
-    const auto claim = [&](const std::string& path) {
-        std::error_code ignored; // a path that cannot be resolved cannot be written either
-        if (!taken.insert(std::filesystem::weakly_canonical(path, ignored)).second)
-            throw UsageError("'" + path + "' is the scene, or is given twice");
-        checkWritable(path);
-    };
-    const auto claimPicture = [&](const std::string& path) {
-        if (!imageFormatOf(path))
-            throw UsageError("the picture '" + path + "' has no known extension; use " +
-                             std::string(kImageExtensions));
-        claim(path);
-    };
-    for (const std::string& path : options.outputs)
-        claimPicture(path);
-    if (!options.statsFile.empty())
-        claim(options.statsFile);
-    if (!options.previewFile.empty() && options.previewFile != options.outputs.front())
-        claimPicture(options.previewFile);
 }
 
 RenderSettings makeSettings(const RenderOptions& options, const Scene& scene) {
@@ -98,7 +74,8 @@ public:
         const DeviceSession deviceSession(options_.device);
         const Device& device = deviceSession.device();
         const GpuScene packed = timed(seconds_.build, [&] { return build(scene, preparation); });
-        deviceBytes_ = packed.bytes() + pathTracerBytes(settings_);
+        deviceBytes_ = packed.bytes() + pathTracerBytes(settings_) +
+                       (wantsLayers() ? firstHitPassBytes(settings_) : 0);
         requireMemory(device, deviceBytes_);
         preparation.clear();
         const SceneBuffers buffers =
@@ -107,6 +84,8 @@ public:
             return PathTracer(device, packed, buffers, packed.features, settings_);
         });
         throwIfInterrupted();
+        if (wantsLayers())
+            firstHits_ = findFirstHits(device, packed, buffers, preparation);
         const double prepared = std::chrono::duration<double>(Clock::now() - start_).count();
         RenderSession session(tracer, settings_, packed.maxRadiance);
         const bool complete = render(session);
@@ -144,7 +123,22 @@ private:
             progress.step("building the BVH", done);
         });
         return packScene(scene, primitives, bvh, origin,
-                         static_cast<double>(settings_.width) / settings_.height);
+                         static_cast<double>(settings_.width) / settings_.height,
+                         wantsLayers() ? PackedUvs::All : PackedUvs::OfTextured);
+    }
+
+    bool wantsLayers() const { return !options_.layers.empty(); }
+
+    FirstHitImage findFirstHits(const Device& device, const GpuScene& packed,
+                                const SceneBuffers& buffers, Progress& progress) {
+        FirstHitPass pass(device, packed, buffers, packed.features, settings_);
+        FirstHitImage hits = pass.run([&](double done) {
+            throwIfInterrupted();
+            progress.step("finding first hits", done);
+        });
+        progress.clear();
+        cutPixels_ = pass.cutPixels();
+        return hits;
     }
 
     bool render(RenderSession& session) {
@@ -205,7 +199,8 @@ private:
         metadata.seconds = totals_.seconds;
         const Crop& crop = settings_.crop;
         metadata.crop = CropPlacement{crop.x, crop.y, settings_.width, settings_.height};
-        writeImage(path, picture, options_.display, metadata);
+        const ExrLayers layers{wantsLayers() ? &firstHits_ : nullptr, options_.layers};
+        writeImage(path, picture, options_.display, metadata, layers);
     }
 
     void report(bool complete) const {
@@ -218,6 +213,8 @@ private:
         warn(totals_.cutPaths,
              "paths were cut short by the device's loop limit, so the picture is "
              "too dark; lower --max-bounces, use fewer transparent layers, or take a GPU");
+        warn(cutPixels_, "pixels lie behind more transparent surfaces than the layers of --aov see "
+                         "through, and show one of those as if it were opaque");
         warn(totals_.lostBlocks,
              "blocks of samples were too bright for the film and count as black");
         const std::string samples = std::to_string(totals_.samplesPerPixel) + " of " +
@@ -241,6 +238,8 @@ private:
     StageSeconds seconds_;
     uint64_t sceneHash_ = 0;
     uint64_t deviceBytes_ = 0;
+    FirstHitImage firstHits_; ///< empty where no layer is wanted
+    uint64_t cutPixels_ = 0;  ///< of firstHits_
 };
 
 } // namespace

@@ -10,7 +10,8 @@
 namespace calotype {
 
 void writeImage(const std::filesystem::path& path, const Image& image,
-                const DisplayTransform& transform, const ExrMetadata& metadata) {
+                const DisplayTransform& transform, const ExrMetadata& metadata,
+                const ExrLayers& layers) {
     const std::optional<ImageFormat> format = imageFormatOf(path);
     if (!format)
         throw OutputError("cannot write '" + path.string() +
@@ -20,7 +21,7 @@ void writeImage(const std::filesystem::path& path, const Image& image,
     case ImageFormat::Png:
         return writePng(path, toDisplay(image, transform));
     case ImageFormat::Exr:
-        return writeExr(path, image, metadata);
+        return writeExr(path, image, metadata, layers);
     case ImageFormat::Pfm:
         return writePfm(path, image);
     }

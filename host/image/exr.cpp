@@ -105,14 +105,22 @@ void requireColourChannels(const Imf::Header& header, const std::string& where) 
 
 } // namespace
 
-void writeExr(const std::filesystem::path& path, const Image& image, const ExrMetadata& metadata) {
+void writeExr(const std::filesystem::path& path, const Image& image, const ExrMetadata& metadata,
+              const ExrLayers& layers) {
     CALOTYPE_CHECK_LT(0u, image.pixels.size());
-    const Imf::Header header = describe(image, metadata);
+    Imf::Header header = describe(image, metadata);
+    // OpenEXR takes pointers to mutable memory even where it only reads.
+    Imf::FrameBuffer buffer = frameBuffer(const_cast<Image&>(image), header.dataWindow());
+    if (layers.hits) {
+        CALOTYPE_CHECK_EQ(layers.hits->width, image.width);
+        CALOTYPE_CHECK_EQ(layers.hits->height, image.height);
+        insertLayers(header, layers);
+        insertLayers(buffer, header, layers);
+    }
     MemoryStream stream;
     {
         Imf::OutputFile file(stream, header);
-        // OpenEXR takes pointers to mutable memory even where it only reads.
-        file.setFrameBuffer(frameBuffer(const_cast<Image&>(image), header.dataWindow()));
+        file.setFrameBuffer(buffer);
         file.writePixels(static_cast<int>(image.height));
     }
     writeFileAtomically(path, stream.bytes());

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "image/exr_layers.h"
 #include "image/image.h"
 
 namespace calotype {
@@ -27,9 +28,11 @@ struct ExrMetadata {
     std::optional<CropPlacement> crop; ///< none: the picture is the whole film
 };
 
-/// Writes channels R, G and B of 32-bit float, bit for bit, compressed by ZIP, whole at every
-/// moment. The display window is the film, the data window the crop. Throws OutputError.
-void writeExr(const std::filesystem::path& path, const Image& image, const ExrMetadata& metadata);
+/// Writes channels R, G and B of 32-bit float, and those of `layers`, bit for bit, compressed by
+/// ZIP, whole at every moment. The display window is the film, the data window the crop. Throws
+/// OutputError.
+void writeExr(const std::filesystem::path& path, const Image& image, const ExrMetadata& metadata,
+              const ExrLayers& layers = {});
 
 /// Reads the data window of channels R, G and B, of half or float. Throws SceneError if the file
 /// cannot be read, is damaged, or lacks one of the three.

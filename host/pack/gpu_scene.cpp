@@ -43,8 +43,8 @@ void requireIndexable(size_t nodes, size_t primitives) {
 class ScenePacker {
 public:
     ScenePacker(const Scene& scene, std::span<const Primitive> primitives, const Bvh& bvh,
-                const glm::dvec3& origin)
-        : scene_(scene), primitives_(primitives), bvh_(bvh), textures_(scene.textures) {
+                const glm::dvec3& origin, PackedUvs uvs)
+        : scene_(scene), primitives_(primitives), bvh_(bvh), uvs_(uvs), textures_(scene.textures) {
         packed_.origin = origin;
         packed_.materials.resize(scene.materials.size());
         isPacked_.resize(scene.materials.size());
@@ -72,6 +72,7 @@ private:
         enable(gpu::kFeatureSmoothNormals, smooth);
         packMaterials();
         const bool textured =
+            uvs_ == PackedUvs::All ||
             std::any_of(std::begin(kTextureSlots), std::end(kTextureSlots),
                         [&](uint32_t slot) { return packed_.features.enabled[slot]; });
         for (const uint32_t number : bvh_.order) {
@@ -242,6 +243,7 @@ private:
     const Scene& scene_;
     std::span<const Primitive> primitives_;
     const Bvh& bvh_;
+    PackedUvs uvs_;
     TexturePacker textures_;
     GpuScene packed_;
     std::vector<bool> isPacked_;  ///< by material
@@ -263,11 +265,11 @@ size_t GpuScene::bytes() const {
 }
 
 GpuScene packScene(const Scene& scene, std::span<const Primitive> primitives, const Bvh& bvh,
-                   const glm::dvec3& origin, double aspectRatio) {
+                   const glm::dvec3& origin, double aspectRatio, PackedUvs uvs) {
     static_assert(gpu::kFeatureDisks - gpu::kFeatureSpheres == gpu::kDisk - gpu::kSphere);
     static_assert(gpu::kFeatureDiskLights - gpu::kFeatureSphereLights == gpu::kDisk - gpu::kSphere);
     CALOTYPE_CHECK_EQ(bvh.order.size(), primitives.size());
-    return ScenePacker(scene, primitives, bvh, origin).pack(aspectRatio);
+    return ScenePacker(scene, primitives, bvh, origin, uvs).pack(aspectRatio);
 }
 
 } // namespace calotype

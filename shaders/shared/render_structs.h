@@ -1,4 +1,4 @@
-// What the host tells a dispatch of the path tracing kernel, and what it hears back.
+// What the host tells a dispatch of a rendering kernel, and what it hears back.
 #ifndef CALOTYPE_SHARED_RENDER_STRUCTS_H
 #define CALOTYPE_SHARED_RENDER_STRUCTS_H
 
@@ -36,12 +36,39 @@ struct RenderCounters {
     uint pad2;
 };
 
+/// Storage buffer of one FirstHitRecord per pixel of the dispatch's tiles.
+CALOTYPE_CONSTANT uint kBindingFirstHits = 13;
+
+/// Push constants. A dispatch finds the first hits of the pixels of a run of tiles.
+struct FirstHitParameters {
+    uvec2 imageSize;  ///< of the whole film, pixels
+    uvec2 cropOrigin; ///< first pixel of the picture on the film
+    uvec2 cropSize;   ///< of the picture, pixels
+    uint firstTile;
+    uint iterationsBeforeCut; ///< loop iterations after which a ray passes through nothing more
+};
+
+/// What a pixel's ray meets first. All but `primitive` is zero where it meets nothing.
+struct FirstHitRecord {
+    vec3 albedo;
+    float depth;    ///< metres along the camera's forward axis
+    vec3 normal;    ///< unit shading normal on the viewer's side
+    uint primitive; ///< its number in the order of the scene file, or kNone
+    vec3 position;  ///< metres from the packed scene's origin
+    uint isCut;     ///< 1 where the ray could have passed through what it met, but for its limits
+    vec2 uv;
+    uint pad0;
+    uint pad1;
+};
+
 CALOTYPE_END_SHARED
 
 #ifdef __cplusplus
 namespace calotype::gpu {
 static_assert(sizeof(RenderParameters) == 64);
 static_assert(sizeof(RenderCounters) == 32);
+static_assert(sizeof(FirstHitParameters) == 32);
+static_assert(sizeof(FirstHitRecord) == 64);
 } // namespace calotype::gpu
 #endif
 

@@ -53,8 +53,14 @@ TEST_F(Layout, IsTheSameInHostAndKernel) {
     const auto quantiles = distinct.make<std::array<float, 4>>();
     scene.filterQuantiles = {quantiles.begin(), quantiles.end()};
     const auto camera = distinct.make<gpu::Camera>();
-    const auto parameters = distinct.make<gpu::RenderParameters>();
+    struct Parameters {
+        gpu::RenderParameters render;
+        gpu::FirstHitParameters firstHit;
+    } parameters{};
+    parameters.render = distinct.make<gpu::RenderParameters>();
     const auto counters = distinct.make<gpu::RenderCounters>();
+    parameters.firstHit = distinct.make<gpu::FirstHitParameters>();
+    const std::array records = {gpu::FirstHitRecord{}, distinct.make<gpu::FirstHitRecord>()};
 
     const Device& device = testDevice();
     const SceneBuffers buffers(device, scene);
@@ -62,11 +68,15 @@ TEST_F(Layout, IsTheSameInHostAndKernel) {
                                              vk::BufferUsageFlagBits::eUniformBuffer, "camera");
     const Buffer countersBuffer = uploadBuffer(device, std::as_bytes(std::span(&counters, 1)),
                                                vk::BufferUsageFlagBits::eStorageBuffer, "counters");
+    const Buffer recordsBuffer =
+        uploadBuffer(device, std::as_bytes(std::span(records)),
+                     vk::BufferUsageFlagBits::eStorageBuffer, "first hits");
     const Buffer echo(device, distinct.words().size() * sizeof(uint32_t),
                       vk::BufferUsageFlagBits::eStorageBuffer, Buffer::Memory::Host, "echo");
     std::vector<Binding> bindings = buffers.bindings();
     bindings.push_back(Binding::uniformBuffer(gpu::kBindingCamera, cameraBuffer));
     bindings.push_back(Binding::storageBuffer(gpu::kBindingCounters, countersBuffer));
+    bindings.push_back(Binding::storageBuffer(gpu::kBindingFirstHits, recordsBuffer));
     bindings.push_back(Binding::storageBuffer(gpu::kBindingTestOutputs, echo));
     const ComputePipeline pipeline(device, {.name = "layout echo",
                                             .spirv = kLayoutEchoSpirv,

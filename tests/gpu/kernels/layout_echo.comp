@@ -8,10 +8,16 @@
 #include "shared/render_structs.h"
 
 layout(local_size_x = 1) in;
-layout(push_constant) uniform Parameters { RenderParameters parameters; };
+layout(push_constant) uniform Parameters {
+    RenderParameters parameters;
+    FirstHitParameters firstHitParameters;
+};
 layout(set = 0, binding = kBindingCamera) uniform CameraBlock { Camera camera; };
 layout(set = 0, binding = kBindingCounters) readonly buffer CountersBlock {
     RenderCounters counters;
+};
+layout(set = 0, binding = kBindingFirstHits) readonly buffer FirstHits {
+    FirstHitRecord records[];
 };
 layout(set = 0, binding = kBindingTestOutputs) writeonly buffer Outputs { uint words[]; };
 
@@ -158,6 +164,25 @@ void putCounters() {
     put(counters.pad2);
 }
 
+void putFirstHit() {
+    FirstHitParameters p = firstHitParameters;
+    put(p.imageSize);
+    put(p.cropOrigin);
+    put(p.cropSize);
+    put(p.firstTile);
+    put(p.iterationsBeforeCut);
+    FirstHitRecord r = records[1];
+    put(r.albedo);
+    put(r.depth);
+    put(r.normal);
+    put(r.primitive);
+    put(r.position);
+    put(r.isCut);
+    put(r.uv);
+    put(r.pad0);
+    put(r.pad1);
+}
+
 void main() {
     BvhNode node = loadNode(1u);
     put(node.lower);
@@ -173,4 +198,5 @@ void main() {
     putCamera();
     putParameters();
     putCounters();
+    putFirstHit();
 }

@@ -1,0 +1,126 @@
+#include "render/first_hit_pass.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "base/check.h"
+#include "kernels/first_hit.spv.h"
+#include "render/dispatch_sizer.h"
+#include "shared/limits.h"
+
+namespace calotype {
+namespace {
+
+constexpr uint32_t kPixelsPerTile = gpu::kTileSize * gpu::kTileSize;
+/// 16 MiB of records: far below any device's limit on a storage buffer.
+constexpr uint32_t kMostTilesPerDispatch = 4096;
+
+uint32_t tilesAlong(uint32_t pixels) { return (pixels + gpu::kTileSize - 1) / gpu::kTileSize; }
+
+uint32_t countTiles(const Crop& crop) { return tilesAlong(crop.width) * tilesAlong(crop.height); }
+
+size_t recordBytes(uint32_t tiles) {
+    return size_t{tiles} * kPixelsPerTile * sizeof(gpu::FirstHitRecord);
+}
+
+/// llvmpipe, the CPU driver, grants the invocations of a subgroup 65,535 loop iterations together
+/// and then silently skips loop bodies; the margin is for one more traversal of the scene.
+uint32_t iterationsBeforeCut(const Device& device) {
+    return device.info().type == "CPU" ? 50'000 : UINT32_MAX;
+}
+
+/// Every hit has texture coordinates, which kernels have where there are textures. A scene without
+/// any refers to none, so it does not matter of which kind.
+std::vector<vk::Bool32> constantsFor(const SceneFeatures& features) {
+    std::vector<vk::Bool32> constants(features.enabled.begin(), features.enabled.end());
+    constants[gpu::kFeatureColorTextures] = VK_TRUE;
+    return constants;
+}
+
+std::vector<Binding> withKernelBindings(std::vector<Binding> bindings, const Buffer& camera,
+                                        const Buffer& records) {
+    bindings.push_back(Binding::uniformBuffer(gpu::kBindingCamera, camera));
+    bindings.push_back(Binding::storageBuffer(gpu::kBindingFirstHits, records));
+    return bindings;
+}
+
+} // namespace
+
+FirstHitPass::FirstHitPass(const Device& device, const GpuScene& scene, const SceneBuffers& buffers,
+                           const SceneFeatures& features, const RenderSettings& settings)
+    : device_(device), origin_(scene.origin), tilesPerRow_(tilesAlong(settings.crop.width)),
+      tileCount_(countTiles(settings.crop)),
+      tilesPerDispatch_(std::min(tileCount_, kMostTilesPerDispatch)),
+      parameters_{.imageSize = {settings.width, settings.height},
+                  .cropOrigin = {settings.crop.x, settings.crop.y},
+                  .cropSize = {settings.crop.width, settings.crop.height},
+                  .firstTile = 0,
+                  .iterationsBeforeCut = iterationsBeforeCut(device)},
+      camera_(uploadBuffer(device, std::as_bytes(std::span(&scene.camera, 1)),
+                           vk::BufferUsageFlagBits::eUniformBuffer, "camera of the first hits")),
+      records_(device, recordBytes(tilesPerDispatch_), vk::BufferUsageFlagBits::eStorageBuffer,
+               Buffer::Memory::Host, "first hits"),
+      pipeline_(device, {.name = "first hit",
+                         .spirv = kFirstHitSpirv,
+                         .bindings = withKernelBindings(buffers.bindings(), camera_, records_),
+                         .constants = constantsFor(features),
+                         .pushConstantBytes = sizeof(gpu::FirstHitParameters)}) {
+    CALOTYPE_CHECK_EQ(scene.triangleUvs.size(), scene.triangles.size());
+}
+
+FirstHitImage FirstHitPass::run(const std::function<void(double)>& onProgress) {
+    using Clock = std::chrono::steady_clock;
+    FirstHitImage image(parameters_.cropSize.x, parameters_.cropSize.y);
+    DispatchSizer sizer(tilesPerDispatch_);
+    cutPixels_ = 0;
+    for (uint32_t first = 0; first < tileCount_;) {
+        const uint32_t count = std::min(sizer.tiles(), tileCount_ - first);
+        const Clock::time_point start = Clock::now();
+        parameters_.firstTile = first;
+        pipeline_.run(device_, count, std::as_bytes(std::span(&parameters_, 1)));
+        sizer.update(count, std::chrono::duration<double>(Clock::now() - start).count());
+        readTiles(first, count, image);
+        first += count;
+        if (onProgress)
+            onProgress(static_cast<double>(first) / tileCount_);
+    }
+    return image;
+}
+
+void FirstHitPass::readTiles(uint32_t first, uint32_t count, FirstHitImage& image) {
+    const std::span<const gpu::FirstHitRecord> records = records_.mapped<gpu::FirstHitRecord>();
+    for (uint32_t tile = 0; tile < count; ++tile) {
+        const uint32_t left = gpu::kTileSize * ((first + tile) % tilesPerRow_);
+        const uint32_t top = gpu::kTileSize * ((first + tile) / tilesPerRow_);
+        const uint32_t right = std::min(left + gpu::kTileSize, image.width);
+        const uint32_t bottom = std::min(top + gpu::kTileSize, image.height);
+        for (uint32_t y = top; y < bottom; ++y)
+            for (uint32_t x = left; x < right; ++x) {
+                const uint32_t inTile = gpu::kTileSize * (y - top) + (x - left);
+                const gpu::FirstHitRecord& record = records[kPixelsPerTile * tile + inTile];
+                image.at(x, y) = toFirstHit(record);
+                cutPixels_ += record.isCut;
+            }
+    }
+}
+
+FirstHit FirstHitPass::toFirstHit(const gpu::FirstHitRecord& record) const {
+    static_assert(kNoPrimitive == gpu::kNone);
+    FirstHit hit;
+    if (record.primitive == gpu::kNone)
+        return hit;
+    hit.albedo = record.albedo;
+    hit.normal = record.normal;
+    hit.position = glm::vec3(glm::dvec3(record.position) + origin_);
+    hit.depth = record.depth;
+    hit.primitive = record.primitive;
+    hit.uv = record.uv;
+    return hit;
+}
+
+uint64_t firstHitPassBytes(const RenderSettings& settings) {
+    return recordBytes(std::min(countTiles(settings.crop), kMostTilesPerDispatch)) +
+           sizeof(gpu::Camera);
+}
+
+} // namespace calotype

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "gpu/buffer.h"
+#include "gpu/compute_pipeline.h"
+#include "image/first_hit.h"
+#include "pack/gpu_scene.h"
+#include "render/render_settings.h"
+#include "render/scene_buffers.h"
+#include "shared/render_structs.h"
+
+namespace calotype {
+
+/// The kernel that finds what each pixel shows first (shaders/path/first_hit.glsl).
+class FirstHitPass {
+public:
+    /// Compiles the kernel, specialised for `features`. The scene has to be packed with
+    /// PackedUvs::All; its buffers must outlive this. Of the settings only the film's size and the
+    /// crop count.
+    FirstHitPass(const Device& device, const GpuScene& scene, const SceneBuffers& buffers,
+                 const SceneFeatures& features, const RenderSettings& settings);
+
+    /// The first hits of the crop. `onProgress`, if given, hears the share of the work done about
+    /// ten times a second, and may throw to end it.
+    FirstHitImage run(const std::function<void(double)>& onProgress = {});
+
+    /// Pixels of the last run whose rays met more transparent surfaces than the kernel passes
+    /// through: they show the next one as if it were opaque.
+    uint64_t cutPixels() const { return cutPixels_; }
+
+private:
+    /// Takes a dispatch's records over into the image.
+    void readTiles(uint32_t first, uint32_t count, FirstHitImage& image);
+    FirstHit toFirstHit(const gpu::FirstHitRecord& record) const;
+
+    const Device& device_;
+    glm::dvec3 origin_;
+    uint32_t tilesPerRow_;
+    uint32_t tileCount_;
+    uint32_t tilesPerDispatch_;
+    gpu::FirstHitParameters parameters_{};
+    Buffer camera_;
+    Buffer records_;
+    ComputePipeline pipeline_;
+    uint64_t cutPixels_ = 0;
+};
+
+/// Bytes that a FirstHitPass takes on the device, beside the scene.
+uint64_t firstHitPassBytes(const RenderSettings& settings);
+
+} // namespace calotype
