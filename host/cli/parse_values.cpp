@@ -102,4 +102,11 @@ float parseExposure(const std::string& text) {
     return *stops;
 }
 
+double parseMaxRelativeMse(const std::string& text) {
+    const auto limit = parseNumber<double>(text);
+    if (!limit || !(*limit >= 0.0) || !std::isfinite(*limit))
+        fail("--max-relmse", text, "a number of at least 0, such as 1e-3");
+    return *limit;
+}
+
 } // namespace calotype
