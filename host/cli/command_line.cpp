@@ -122,21 +122,48 @@ CLI::App& addRenderCommand(CLI::App& app, RenderOptions& options) {
     return command;
 }
 
+CLI::App& addCompareCommand(CLI::App& app, CompareOptions& options) {
+    CLI::App& command =
+        *app.add_subcommand("compare", "Say how far picture A is from picture B, the reference");
+    command.add_option("A", options.a, "Picture to judge: EXR, PFM, HDR or PNG")
+        ->required()
+        ->type_name("FILE");
+    command.add_option("B", options.b, "Reference, of the same size")
+        ->required()
+        ->type_name("FILE");
+    command.add_option("--diff", options.differenceFile, "Write the differences in false colour")
+        ->type_name("OUT.png");
+    addParsed(command, "--max-relmse", options.maxRelativeMse, parseMaxRelativeMse,
+              "Exit with 5 if the relative MSE is larger, or a pixel infinite in A or B only", "X");
+    command.footer(
+        "Pictures are compared as linear light: PNGs are decoded from sRGB. Alpha is left out.\n"
+        "Relative MSE: the mean over pixels and channels of (A - B)^2 / (B^2 + 0.01).\n"
+        "Colours of --diff, for the root of each pixel's relative MSE, in equal steps of its "
+        "logarithm:\nblack below 1e-4, dark blue 1e-4, violet 1e-3, crimson 1e-2, orange 0.1, "
+        "yellow "
+        "1 and more;\ncyan where A or B is infinite. Such pixels are counted and left out of all "
+        "else.");
+    return command;
+}
+
 int parseAndRun(int argc, char** argv) {
     CLI::App app("Calotype: a headless path tracer on Vulkan compute.\n"
                  "Exit codes: 0 done, 1 interrupted or an output that cannot be written, 2 wrong "
-                 "usage,\n3 bad scene or input file, 4 device or driver.",
+                 "usage,\n3 bad scene or input file, 4 device or driver, 5 pictures differ by more "
+                 "than --max-relmse.",
                  "calotype");
     app.set_version_flag("--version", CALOTYPE_VERSION);
     app.require_subcommand(0, 1); // none is reported below, after any unknown word
     RenderOptions renderOptions;
     InfoOptions infoOptions;
+    CompareOptions compareOptions;
     DeviceOptions devicesOptions;
     CLI::App& render = addRenderCommand(app, renderOptions);
     CLI::App& info =
         *app.add_subcommand("info", "Print what a scene holds and what it takes on the device");
     addSceneOptions(info, infoOptions.scene);
     addDeviceOptions(info, infoOptions.device);
+    CLI::App& compare = addCompareCommand(app, compareOptions);
     CLI::App& devices = *app.add_subcommand("devices", "List devices and say which one is taken");
     addDeviceOptions(devices, devicesOptions);
     try {
@@ -147,10 +174,13 @@ int parseAndRun(int argc, char** argv) {
         throw UsageError(std::string(error.what()) + " (see calotype --help)");
     }
     if (app.get_subcommands().empty())
-        throw UsageError("a command is required: render, info or devices (see calotype --help)");
+        throw UsageError(
+            "a command is required: render, info, compare or devices (see calotype --help)");
     if (render.parsed())
         return renderCommand(renderOptions);
-    const int code = info.parsed() ? infoCommand(infoOptions) : devicesCommand(devicesOptions);
+    const int code = info.parsed()      ? infoCommand(infoOptions)
+                     : compare.parsed() ? compareCommand(compareOptions)
+                                        : devicesCommand(devicesOptions);
     if (std::fflush(stdout) != 0)
         throw OutputError("cannot write to standard output");
     return code;

@@ -7,6 +7,7 @@ namespace calotype {
 /// The program's commands. Each returns an exit code, or throws one of base/error.h.
 int renderCommand(const RenderOptions& options);
 int infoCommand(const InfoOptions& options);
+int compareCommand(const CompareOptions& options);
 int devicesCommand(const DeviceOptions& options);
 
 } // namespace calotype

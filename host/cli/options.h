@@ -57,4 +57,12 @@ struct InfoOptions {
     DeviceOptions device;
 };
 
+/// Picture A against picture B, the reference.
+struct CompareOptions {
+    std::string a;
+    std::string b;
+    std::string differenceFile; ///< empty: none
+    std::optional<double> maxRelativeMse;
+};
+
 } // namespace calotype

@@ -127,4 +127,11 @@ std::vector<FirstHitLayer> parseLayers(const std::string& text) {
     }
 }
 
+double parseMaxRelativeMse(const std::string& text) {
+    const auto limit = parseNumber<double>(text);
+    if (!limit || !(*limit >= 0.0) || !std::isfinite(*limit))
+        fail("--max-relmse", text, "a number of at least 0, such as 1e-3");
+    return *limit;
+}
+
 } // namespace calotype

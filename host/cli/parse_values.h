@@ -16,6 +16,7 @@ SceneOverride parseOverride(const std::string& text);          ///< --set "/poin
 MissingTextures parseMissingTextures(const std::string& text); ///< --missing-textures
 ToneMap parseToneMap(const std::string& text);                 ///< --tonemap
 float parseExposure(const std::string& text);                  ///< --exposure "-1.5", in stops
+double parseMaxRelativeMse(const std::string& text);           ///< --max-relmse "1e-3"
 
 /// --aov "albedo,normal"
 std::vector<FirstHitLayer> parseLayers(const std::string& text);

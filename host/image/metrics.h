@@ -11,8 +11,12 @@ namespace calotype {
 /// Mean of each channel over the pixels. Throws Error if there are none.
 glm::dvec3 imageMean(const Image& image);
 
-/// Mean over pixels and channels of (t - r)^2 / (r^2 + 0.01): an error relative to the reference,
-/// with a floor that keeps dark pixels from dominating. Throws Error if the sizes differ or are 0.
+/// (t - r)^2 / (r^2 + 0.01): the squared error of a channel relative to the reference, with a floor
+/// that keeps dark pixels from dominating.
+double relativeSquaredError(double test, double reference);
+
+/// Mean over pixels and channels of relativeSquaredError. Throws Error if the sizes differ or are
+/// 0.
 double relativeMse(const Image& test, const Image& reference);
 
 /// The picture `factor` times smaller, each pixel the mean of a square of factor x factor. Throws

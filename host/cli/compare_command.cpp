@@ -1,0 +1,101 @@
+#include "cli/commands.h"
+
+#include <cinttypes>
+#include <cstdio>
+#include <filesystem>
+
+#include "base/atomic_file.h"
+#include "base/error.h"
+#include "cli/exit_code.h"
+#include "image/difference.h"
+#include "image/difference_picture.h"
+#include "image/image_format.h"
+#include "image/png.h"
+#include "image/read_image.h"
+
+namespace calotype {
+namespace {
+
+/// Everything that could keep the picture from being written is known before anything is read.
+void checkDifferenceFile(const CompareOptions& options) {
+    const std::string& path = options.differenceFile;
+    if (imageFormatOf(path) != ImageFormat::Png)
+        throw UsageError("--diff '" + path + "' is not a PNG; name it .png");
+    for (const std::string& input : {options.a, options.b}) {
+        std::error_code missing; // what does not exist is not the same
+        if (std::filesystem::equivalent(path, input, missing))
+            throw UsageError("--diff '" + path + "' is one of the pictures to compare");
+    }
+    checkWritable(path);
+}
+
+void printPicture(const char* label, const std::string& path, const Image& image,
+                  uint64_t infinite) {
+    std::printf("%-13s %s, %u x %u pixels, %" PRIu64 " infinite\n", label, path.c_str(),
+                image.width, image.height, infinite);
+}
+
+void printLargest(const LargestDifference& largest, const Image& a, const Image& b) {
+    if (largest.magnitude == 0.0) {
+        std::printf("largest       0\n");
+        return;
+    }
+    const glm::vec3& pixelA = a.at(largest.x, largest.y);
+    const glm::vec3& pixelB = b.at(largest.x, largest.y);
+    // Nine digits tell any two floats apart.
+    std::printf("largest       %.6g in %c at (%u, %u) from the top left: A (%.9g, %.9g, %.9g), "
+                "B (%.9g, %.9g, %.9g)\n",
+                largest.magnitude, "RGB"[largest.channel], largest.x, largest.y, pixelA.r, pixelA.g,
+                pixelA.b, pixelB.r, pixelB.g, pixelB.b);
+}
+
+void printErrors(const ImageDifference& difference) {
+    const glm::dvec3& mean = difference.meanError;
+    std::printf("mean error    %.6g (R %.6g, G %.6g, B %.6g), of A - B\n",
+                (mean.r + mean.g + mean.b) / 3.0, mean.r, mean.g, mean.b);
+    std::printf("RMSE          %.6g\n", difference.rmse);
+    std::printf("relative MSE  %.6g, the mean of (A - B)^2 / (B^2 + 0.01)\n",
+                difference.relativeMse);
+    std::printf("PSNR          %.6g dB, for a peak of %.6g, the largest value of B\n",
+                difference.psnr(), difference.peak);
+}
+
+/// Whether A is as near as is wanted; says on standard error why not.
+bool isWithin(double maxRelativeMse, const ImageDifference& difference) {
+    if (difference.relativeMse > maxRelativeMse)
+        std::fprintf(stderr, "calotype: the relative MSE of %.9g exceeds --max-relmse %.9g\n",
+                     difference.relativeMse, maxRelativeMse);
+    else if (difference.infiniteInOne() > 0)
+        std::fprintf(stderr,
+                     "calotype: pixels that are infinite in A or B only (%" PRIu64
+                     ") exceed any --max-relmse\n",
+                     difference.infiniteInOne());
+    else
+        return true;
+    return false;
+}
+
+} // namespace
+
+int compareCommand(const CompareOptions& options) {
+    const bool isDrawn = !options.differenceFile.empty();
+    if (isDrawn)
+        checkDifferenceFile(options);
+    const Image a = readImage(options.a);
+    const Image b = readImage(options.b);
+    requireComparable(a, options.a, b, options.b);
+    const ImageDifference difference = measureDifference(a, b);
+    printPicture("A", options.a, a, difference.infiniteInA);
+    printPicture("B", options.b, b, difference.infiniteInB);
+    printErrors(difference);
+    printLargest(difference.largest, a, b);
+    if (difference.leftOut > 0)
+        std::printf("left out      %" PRIu64 " of %zu pixels, infinite in A or B\n",
+                    difference.leftOut, a.pixels.size());
+    if (isDrawn)
+        writePng(options.differenceFile, differencePicture(a, b));
+    const bool isNear = !options.maxRelativeMse || isWithin(*options.maxRelativeMse, difference);
+    return isNear ? kExitDone : kExitDiffers;
+}
+
+} // namespace calotype

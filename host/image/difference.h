@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include <glm/vec3.hpp>
+
+#include "image/image.h"
+
+namespace calotype {
+
+/// The largest |A - B| of any channel of any pixel; the first in reading order.
+struct LargestDifference {
+    double magnitude = 0.0;
+    uint32_t x = 0;  ///< from the left
+    uint32_t y = 0;  ///< from the top
+    int channel = 0; ///< 0 red, 1 green, 2 blue
+};
+
+/// How far picture A is from picture B, the reference: over the pixels that are finite in both.
+struct ImageDifference {
+    uint64_t infiniteInA = 0; ///< pixels with an infinite channel
+    uint64_t infiniteInB = 0;
+    uint64_t leftOut = 0; ///< pixels infinite in A or B, which nothing below knows of
+
+    glm::dvec3 meanError{0.0}; ///< mean of A - B by channel
+    double rmse = 0.0;         ///< root of the mean of (A - B)^2 over pixels and channels
+    double relativeMse = 0.0;  ///< as relativeMse of image/metrics.h
+    double peak = 0.0;         ///< the largest value of B; 0 where none is positive
+    LargestDifference largest;
+
+    /// Pixels that are infinite in one of the pictures only.
+    uint64_t infiniteInOne() const { return 2 * leftOut - infiniteInA - infiniteInB; }
+    /// 10 log10(peak^2 / rmse^2) in dB: infinite where A equals B, else minus infinity for a peak
+    /// of 0.
+    double psnr() const;
+};
+
+/// Throws SceneError at the picture concerned unless both have one size, no pixel has a NaN, and
+/// some pixel is finite in both. `nameA` and `nameB` are the files' names.
+void requireComparable(const Image& a, const std::string& nameA, const Image& b,
+                       const std::string& nameB);
+
+/// Both as requireComparable wants them.
+ImageDifference measureDifference(const Image& a, const Image& b);
+
+/// Whether no channel is infinite or NaN.
+bool isFinite(const glm::vec3& pixel);
+
+} // namespace calotype

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "image/image.h"
+#include "image/rgb8_image.h"
+
+namespace calotype {
+
+/// What the colours of a difference picture stand for: falseColor of the logarithm of the relative
+/// difference.
+struct DifferenceScale {
+    static constexpr double kLeast = 1e-4; ///< falseColor(0)
+    static constexpr double kMost = 1.0;   ///< falseColor(1), and above
+    static constexpr glm::u8vec3 kBelow{0, 0, 0};
+    static constexpr glm::u8vec3 kInfinite{0, 255, 255}; ///< the pixel is infinite in A or B
+};
+
+/// Where A differs from B, the reference, both of one size and without NaN. The relative difference
+/// of a pixel is the root of the mean of its channels' relativeSquaredError (image/metrics.h); so
+/// the mean of its square over the picture is the relative MSE.
+Rgb8Image differencePicture(const Image& a, const Image& b);
+
+} // namespace calotype

@@ -1,0 +1,113 @@
+#include "image/read_image.h"
+
+#include <cmath>
+#include <fstream>
+#include <string>
+#include <string_view>
+
+#include "base/error.h"
+#include "image/check_size.h"
+#include "image/exr.h"
+#include "image/exr_check.h"
+#include "image/hdr.h"
+#include "image/image_check.h"
+#include "image/pfm.h"
+#include "image/read_texel_image.h"
+#include "image/texel_channel.h"
+
+namespace calotype {
+namespace {
+
+/// In pixels: what `render --size` takes, and 16384 x 16384, which is 3 GiB as floats.
+constexpr uint32_t kLargestSide = 65535;
+constexpr uint64_t kMostPixels = uint64_t{1} << 28;
+/// In bytes: a PFM, the format that packs least, with so many pixels and a page for its header.
+constexpr uintmax_t kLargestFile = kMostPixels * sizeof(glm::vec3) + 4096;
+/// In bytes: the longest signature, "#?RADIANCE".
+constexpr size_t kSignature = 10;
+
+std::ifstream openRegularFile(const std::filesystem::path& path) {
+    std::error_code unknown;
+    const auto status = std::filesystem::status(path, unknown);
+    // Pipes and devices may block, or never end.
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+        throw SceneError(path.string(), "the picture cannot be read: it is not a regular file");
+    std::ifstream file(path, std::ios::binary);
+    if (!file)
+        throw SceneError(path.string(),
+                         "the picture cannot be opened; check that it exists and may be read");
+    return file;
+}
+
+std::string readBytes(std::ifstream& file, size_t count) {
+    std::string bytes(count, '\0');
+    file.seekg(0);
+    file.read(bytes.data(), static_cast<std::streamsize>(count));
+    bytes.resize(static_cast<size_t>(file.gcount()));
+    file.clear();
+    return bytes;
+}
+
+size_t sizeOfFile(const std::filesystem::path& path) {
+    const uintmax_t size = std::filesystem::file_size(path);
+    if (size > kLargestFile)
+        throw SceneError(path.string(), "the picture is larger than 3 GiB; compare a part of it");
+    return size;
+}
+
+void checkArea(const ImageSize& size, const std::string& where) {
+    if (uint64_t{size.width} * size.height > kMostPixels)
+        throw SceneError(where, "the picture has " + std::to_string(size.width) + " x " +
+                                    std::to_string(size.height) + " pixels, more than the " +
+                                    std::to_string(kMostPixels) +
+                                    " that can be compared; compare a part of it");
+}
+
+/// The inverse of srgbFromLinear: the piecewise curve of IEC 61966-2-1.
+float linearFromSrgb(float encoded) {
+    return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
+}
+
+Image linearImage(const TexelImage& texels) {
+    Image image(texels.width, texels.height);
+    for (size_t i = 0; i < texels.texelCount(); ++i)
+        for (int channel = 0; channel < 3; ++channel) {
+            const float value = texelComponent(texels, i, channel);
+            image.pixels[i][channel] = texels.isEncoded ? linearFromSrgb(value) : value;
+        }
+    return image;
+}
+
+bool isPfm(std::string_view file) {
+    return file.starts_with("PF\n") || file.starts_with("PF ") || file.starts_with("PF\r");
+}
+
+} // namespace
+
+Image readImage(const std::filesystem::path& path) {
+    const std::string where = path.string();
+    std::ifstream file = openRegularFile(path);
+    const std::string signature = readBytes(file, kSignature);
+    if (isExr(signature)) {
+        checkArea(checkExr(path, kLargestSide), where);
+        return readExr(path);
+    }
+    const size_t fileSize = sizeOfFile(path);
+    if (isPfm(signature)) {
+        Image image = readPfm(path);
+        checkSize({image.width, image.height}, kLargestSide, where);
+        return image;
+    }
+    if (!isPng(signature) && !isHdr(signature))
+        throw SceneError(where,
+                         "the file is not a picture that can be compared: EXR, PFM (colour), "
+                         "HDR and PNG are");
+    const std::string bytes = readBytes(file, fileSize);
+    if (isPng(bytes))
+        checkArea(checkPng(bytes, where), where);
+    const TexelImage texels = readTexelImage(bytes, kLargestSide, where);
+    checkArea({texels.width, texels.height}, where);
+    return linearImage(texels);
+}
+
+} // namespace calotype
