@@ -38,7 +38,7 @@ struct MtlMaterial {
 /// Reads the text of the MTL file at `path` (also the name for messages). Keywords count in any
 /// case. Throws SceneError at "PATH:LINE" for colours that are not one or three numbers of 0 or
 /// greater, for other numbers that are missing or not finite, and for garbage among the options of
-/// a texture.
+/// a texture or those out of range (see parseMtlTexture).
 std::map<std::string, MtlMaterial> parseMtl(std::string_view text, const std::string& path);
 
 } // namespace calotype
