@@ -17,8 +17,8 @@ namespace calotype {
 struct MtlMaterial {
     std::filesystem::path directory;    ///< of the MTL file: its textures are named from there
     std::optional<glm::dvec3> diffuse;  ///< Kd
+    std::optional<glm::dvec3> emission; ///< Ke
     glm::dvec3 specular{0.0};           ///< Ks
-    glm::dvec3 emission{0.0};           ///< Ke
     glm::dvec3 filter{1.0};             ///< Tf
     std::optional<double> exponent;     ///< Ns
     std::optional<double> dissolve;     ///< d
@@ -32,6 +32,7 @@ struct MtlMaterial {
     std::optional<MtlTexture> bumpMap;   ///< map_Bump, bump
     std::optional<MtlTexture> normalMap; ///< norm
     std::optional<MtlTexture> roughnessMap;
+    std::optional<MtlTexture> emissionMap;
     std::set<std::string> unsupported; ///< statements with an effect that is not rendered
 };
 
