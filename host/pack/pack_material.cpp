@@ -1,5 +1,6 @@
 #include "pack/pack_material.h"
 
+#include "scene/material_textures.h"
 #include "shared/limits.h"
 
 namespace calotype {
@@ -37,6 +38,24 @@ bool mayBeMirror(const Material& material) {
     const double alpha = material.roughness * material.roughness;
     return alpha < gpu::kMirrorAlpha || material.roughnessTexture != Material::kNoTexture;
 }
+
+/// Where each of a material's textures goes, and what the kernel needs to read it there.
+struct PackedSlot {
+    uint32_t Material::*texture;
+    uint32_t gpu::Material::*packed;
+    uint32_t feature;
+    bool isOfGgx; ///< of no use to materials without that lobe
+};
+constexpr PackedSlot kSlots[] = {
+    {&Material::colorTexture, &gpu::Material::colorTexture, gpu::kFeatureColorTextures, false},
+    {&Material::roughnessTexture, &gpu::Material::roughnessTexture, gpu::kFeatureScalarTextures,
+     true},
+    {&Material::specularTexture, &gpu::Material::specularTexture, gpu::kFeatureScalarTextures,
+     true},
+    {&Material::normalMap, &gpu::Material::normalMap, gpu::kFeatureNormalMaps, false},
+    {&Material::alphaTexture, &gpu::Material::alphaTexture, gpu::kFeatureAlpha, false},
+};
+static_assert(std::ranges::equal(kSlots, kMaterialTextures, {}, &PackedSlot::texture));
 
 /// Gives texture slots their packed index, and tells the kernel what it will find there.
 class SlotPacker {
@@ -80,19 +99,14 @@ gpu::Material packMaterial(const Material& material, std::span<const Texture> sc
     enable(gpu::kFeatureAlpha, isTransparent(material));
 
     SlotPacker slots(sceneTextures, textures, features);
+    for (const PackedSlot& slot : kSlots) {
+        const bool isRead = hasGgx || !slot.isOfGgx;
+        packed.*slot.packed =
+            slots.pack(isRead ? material.*slot.texture : Material::kNoTexture, slot.feature);
+    }
     packed.color = glm::vec3(material.color);
-    packed.colorTexture = slots.pack(material.colorTexture, gpu::kFeatureColorTextures);
     packed.roughness = static_cast<float>(material.roughness);
     packed.specular = static_cast<float>(specularOf(material));
-    packed.roughnessTexture = gpu::kNone;
-    packed.specularTexture = gpu::kNone;
-    if (hasGgx) {
-        packed.roughnessTexture =
-            slots.pack(material.roughnessTexture, gpu::kFeatureScalarTextures);
-        packed.specularTexture = slots.pack(material.specularTexture, gpu::kFeatureScalarTextures);
-    }
-    packed.normalMap = slots.pack(material.normalMap, gpu::kFeatureNormalMaps);
-    packed.alphaTexture = slots.pack(material.alphaTexture, gpu::kFeatureAlpha);
     packed.opacity = static_cast<float>(material.opacity);
     packed.kd = static_cast<float>(material.kd);
     packed.exponent = static_cast<float>(material.exponent);

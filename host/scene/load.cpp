@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scene/energy_warnings.h"
 #include "scene/json_document.h"
 #include "scene/load_context.h"
 #include "scene/model_scene.h"
@@ -98,6 +99,7 @@ Scene loadScene(const std::string& path, const LoadOptions& options) {
         JsonObject(JsonValue(document, path), {"$schema", "camera", "film", "render", "background",
                                                "textures", "materials", "shapes", "lights"}),
         context);
+    warnOfExcessEnergy(context);
     warnIfBlack(context, path);
     context.scene.hash = context.hash.value();
     return std::move(context.scene);

@@ -31,8 +31,9 @@ struct LoadContext {
 
     Scene scene;
     ContentHash hash;
-    std::vector<std::string> textureNames;  ///< of the scene file: the first of Scene::textures
-    std::vector<std::string> materialNames; ///< of the scene file: the first of Scene::materials
+    std::vector<std::string> textureNames;   ///< of the scene file: the first of Scene::textures
+    std::vector<std::string> materialNames;  ///< of the scene file: the first of Scene::materials
+    std::vector<std::string> materialPlaces; ///< file and JSON pointer of each of materialNames
 
     /// OBJ files by path, each read once however many meshes name it.
     std::map<std::string, std::shared_ptr<const ObjFile>> objFiles;

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <numbers>
-#include <sstream>
+#include <set>
 
 namespace calotype {
 namespace {
@@ -25,39 +24,36 @@ double shadowing(double cosL, double cosV, double roughness, Masking masking) {
     return 2.0 * cosL * cosV / (cosL * root(cosV) + cosV * root(cosL));
 }
 
-std::string percent(double share) {
-    std::ostringstream text;
-    text << std::fixed << std::setprecision(1) << 100.0 * share << " %";
-    return text.str();
+double largest(const glm::dvec3& color) { return std::max({color.x, color.y, color.z}); }
+
+double brightestColor(const Material& material, TextureRanges& textures) {
+    return largest(material.color * textures.brightest(material.colorTexture));
 }
 
-std::optional<std::string> blinnPhongWarning(const Material& material) {
-    const double factor = material.normalize ? 1.0 : 4.0;
-    if (material.kd + factor * material.ks <= 1.0 + kRounding) {
-        return std::nullopt;
-    }
-    return std::string("this blinn_phong can reflect more light than it receives, since ") +
-           (material.normalize ? "kd + ks > 1; lower kd or ks"
-                               : "kd + 4 ks > 1; lower kd or ks, or set \"normalize\": true");
+double blinnPhongAlbedo(const Material& material, TextureRanges& textures) {
+    const double brightest = isJudgedByWeights(material) ? 1.0 : brightestColor(material, textures);
+    return material.kd * brightest + (material.normalize ? 1.0 : 4.0) * material.ks;
 }
 
-std::optional<std::string> nonmetalWarning(const Material& material) {
-    const bool texturedColor = material.colorTexture != Material::kNoTexture;
-    if (texturedColor || material.specularTexture != Material::kNoTexture) {
-        return std::nullopt;
-    }
-    const glm::dvec3& color = material.color;
-    const double diffuse = (1.0 - material.specular) * std::max({color.x, color.y, color.z});
+/// Of F0 the least counts: where the albedo, which is linear in it, exceeds one at all, it falls
+/// with it, since at an F0 of one it does not.
+double nonmetalAlbedo(const Material& material, TextureRanges& textures) {
+    const double f0 = material.specular * textures.scalars(material.specularTexture).least;
+    const double diffuse = (1.0 - f0) * brightestColor(material, textures);
+    const ScalarRange share = textures.scalars(material.roughnessTexture);
     double most = 0.0;
-    for (int i = 1; i <= kAngles; ++i) {
-        most = std::max(most, diffuse + ggxAlbedo(double(i) / kAngles, material.roughness,
-                                                  material.specular, material.masking));
+    for (const double end : std::set{share.least, share.greatest}) {
+        const double roughness = material.roughness * end;
+        for (int i = 1; i <= kAngles; ++i) {
+            most = std::max(
+                most, diffuse + ggxAlbedo(double(i) / kAngles, roughness, f0, material.masking));
+        }
     }
-    if (most <= 1.0 + kTolerance) {
-        return std::nullopt;
-    }
-    return "this nonmetal reflects up to " + percent(most) +
-           " of the light that it receives, at grazing angles; choose a darker colour";
+    return most;
+}
+
+std::optional<double> whereAbove(double limit, double albedo) {
+    return albedo > limit ? std::optional(albedo) : std::nullopt;
 }
 
 } // namespace
@@ -87,12 +83,17 @@ double ggxAlbedo(double cosine, double roughness, double f0, Masking masking) {
     return sum / (kPolar * kAzimuthal);
 }
 
-std::optional<std::string> energyWarning(const Material& material) {
+bool isJudgedByWeights(const Material& material) {
+    return material.type == MaterialType::BlinnPhong && !material.normalize &&
+           material.colorTexture == Material::kNoTexture;
+}
+
+std::optional<double> excessAlbedo(const Material& material, TextureRanges& textures) {
     switch (material.type) {
     case MaterialType::BlinnPhong:
-        return blinnPhongWarning(material);
+        return whereAbove(1.0 + kRounding, blinnPhongAlbedo(material, textures));
     case MaterialType::Nonmetal:
-        return nonmetalWarning(material);
+        return whereAbove(1.0 + kTolerance, nonmetalAlbedo(material, textures));
     case MaterialType::Diffuse:
     case MaterialType::Metal:
     case MaterialType::Dielectric:

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "math/bounds.h"
 #include "math/rotation.h"
+#include "scene/energy_warnings.h"
 #include "scene/frame_camera.h"
 #include "scene/load_context.h"
 #include "scene/names.h"
@@ -155,6 +156,7 @@ Scene loadModelScene(const std::string& path, const LoadOptions& options) {
     for (const LightPlan& plan : kLights) {
         addLight(plan, extent, context);
     }
+    warnOfExcessEnergy(context);
     scene.hash = context.hash.value();
     return std::move(context.scene);
 }

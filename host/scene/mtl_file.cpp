@@ -104,9 +104,10 @@ struct TextureStatement {
     std::optional<MtlTexture> MtlMaterial::*texture;
 };
 constexpr TextureStatement kTextures[] = {
-    {"map_kd", &MtlMaterial::diffuseMap}, {"map_d", &MtlMaterial::alphaMap},
-    {"map_bump", &MtlMaterial::bumpMap},  {"bump", &MtlMaterial::bumpMap},
-    {"norm", &MtlMaterial::normalMap},    {"map_pr", &MtlMaterial::roughnessMap},
+    {"map_kd", &MtlMaterial::diffuseMap},  {"map_d", &MtlMaterial::alphaMap},
+    {"map_bump", &MtlMaterial::bumpMap},   {"bump", &MtlMaterial::bumpMap},
+    {"norm", &MtlMaterial::normalMap},     {"map_pr", &MtlMaterial::roughnessMap},
+    {"map_ke", &MtlMaterial::emissionMap},
 };
 
 template <typename Statement, size_t Count>

@@ -17,8 +17,8 @@ namespace calotype {
 struct MtlMaterial {
     std::filesystem::path directory;    ///< of the MTL file: its textures are named from there
     std::optional<glm::dvec3> diffuse;  ///< Kd
+    std::optional<glm::dvec3> emission; ///< Ke
     glm::dvec3 specular{0.0};           ///< Ks
-    glm::dvec3 emission{0.0};           ///< Ke
     glm::dvec3 filter{1.0};             ///< Tf
     std::optional<double> exponent;     ///< Ns
     std::optional<double> dissolve;     ///< d
@@ -32,13 +32,14 @@ struct MtlMaterial {
     std::optional<MtlTexture> bumpMap;   ///< map_Bump, bump
     std::optional<MtlTexture> normalMap; ///< norm
     std::optional<MtlTexture> roughnessMap;
+    std::optional<MtlTexture> emissionMap;
     std::set<std::string> unsupported; ///< statements with an effect that is not rendered
 };
 
 /// Reads the text of the MTL file at `path` (also the name for messages). Keywords count in any
 /// case. Throws SceneError at "PATH:LINE" for colours that are not one or three numbers of 0 or
 /// greater, for other numbers that are missing or not finite, and for garbage among the options of
-/// a texture.
+/// a texture or those out of range (see parseMtlTexture).
 std::map<std::string, MtlMaterial> parseMtl(std::string_view text, const std::string& path);
 
 } // namespace calotype

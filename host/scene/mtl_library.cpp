@@ -11,8 +11,6 @@
 namespace calotype {
 namespace {
 
-constexpr double kColorWithoutMaterial = 0.5;
-
 /// The names in a "mtllib" statement: blanks separate, a backslash keeps the next character.
 std::vector<std::string> splitNames(const std::string& text) {
     std::vector<std::string> names(1);
@@ -91,8 +89,8 @@ struct Ignored {
 
     void add(const MtlMaterial& mtl) {
         statements.insert(mtl.unsupported.begin(), mtl.unsupported.end());
-        for (const auto* map :
-             {&mtl.diffuseMap, &mtl.alphaMap, &mtl.bumpMap, &mtl.normalMap, &mtl.roughnessMap}) {
+        for (const auto* map : {&mtl.diffuseMap, &mtl.alphaMap, &mtl.bumpMap, &mtl.normalMap,
+                                &mtl.roughnessMap, &mtl.emissionMap}) {
             if (*map) {
                 options.insert((*map)->ignored.begin(), (*map)->ignored.end());
             }
@@ -125,7 +123,7 @@ std::vector<uint32_t> materialsFromMtl(const ObjFile& obj, const std::string& ob
     const std::string prefix = path.filename().string() + ":";
     Material plain;
     plain.name = prefix;
-    plain.color = glm::dvec3(kColorWithoutMaterial);
+    plain.color = glm::dvec3(kUnstatedColor);
 
     MtlNotes notes;
     Ignored ignored;

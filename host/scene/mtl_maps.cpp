@@ -3,6 +3,7 @@
 #include <bit>
 
 #include "image/channel_image.h"
+#include "image/mean_color.h"
 #include "scene/bump_map.h"
 #include "scene/texture_file.h"
 
@@ -90,6 +91,15 @@ uint32_t MtlMaps::normals(const MtlTexture& map, const std::filesystem::path& di
     }
     return converted(map, directory, recipe,
                      [&](const TexelImage& image) { return normalMapOf(image, map); });
+}
+
+std::optional<glm::dvec3> MtlMaps::meanColor(const MtlTexture& map,
+                                             const std::filesystem::path& directory) {
+    const TextureFile file = readTextureFile(map.file, directory, map.place, context_);
+    if (!file.image) {
+        return std::nullopt;
+    }
+    return calotype::meanColor(*file.image, !map.isLinear);
 }
 
 bool MtlMaps::isTransparent(uint32_t texture) const {

@@ -7,8 +7,9 @@
 
 namespace calotype {
 
-/// Textures of MTL files as textures of the scene; equal ones are one. All return an index into
-/// Scene::textures and throw SceneError as readTextureFile does. `directory` is the MTL file's.
+/// Textures of MTL files as textures of the scene; equal ones are one. What takes a map throws
+/// SceneError as readTextureFile does and, unless it says otherwise, returns an index into
+/// Scene::textures. `directory` is the MTL file's.
 class MtlMaps {
 public:
     explicit MtlMaps(LoadContext& context) : context_(context) {}
@@ -22,6 +23,10 @@ public:
     uint32_t scalar(const MtlTexture& map, const std::filesystem::path& directory);
     /// Normal map: the image itself, or made of its heights where it is grey (see isGrey).
     uint32_t normals(const MtlTexture& map, const std::filesystem::path& directory);
+
+    /// The colour that the image has on average, linear; nullopt for a missing image.
+    std::optional<glm::dvec3> meanColor(const MtlTexture& map,
+                                        const std::filesystem::path& directory);
 
     bool isTransparent(uint32_t texture) const;
 

@@ -9,7 +9,6 @@
 namespace calotype {
 namespace {
 
-constexpr double kColorWithoutStatement = 0.5;
 constexpr double kMetallic = 0.5;
 constexpr double kMetalRoughness = 0.5;
 constexpr double kBlack = 0.05;
@@ -26,7 +25,7 @@ public:
           illumination_(static_cast<int>(std::clamp(mtl.illumination, -1.0, 11.0))) {}
 
     Material map() {
-        material_.emission = mtl_.emission;
+        material_.emission = emission();
         readColor();
         readCutOut();
         chooseType();
@@ -67,13 +66,23 @@ private:
         return glm::min(color, glm::dvec3(1.0));
     }
 
+    /// Only one radiance can be emitted: the map counts by its mean.
+    glm::dvec3 emission() {
+        const auto stated = mtl_.emission.value_or(glm::dvec3(mtl_.emissionMap ? 1.0 : 0.0));
+        if (!mtl_.emissionMap || stated == glm::dvec3(0.0)) {
+            return stated;
+        }
+        note("map_Ke shines with its mean colour, since emission cannot be textured yet,");
+        const auto mean = maps_.meanColor(*mtl_.emissionMap, mtl_.directory);
+        return mean ? stated * *mean : mtl_.emission.value_or(glm::dvec3(0.0));
+    }
+
     void readColor() {
         if (mtl_.diffuseMap) {
             material_.colorTexture = maps_.color(*mtl_.diffuseMap, mtl_.directory);
         }
         const bool textured = mtl_.diffuseMap.has_value();
-        glm::dvec3 color =
-            mtl_.diffuse.value_or(glm::dvec3(textured ? 1.0 : kColorWithoutStatement));
+        glm::dvec3 color = mtl_.diffuse.value_or(glm::dvec3(textured ? 1.0 : kUnstatedColor));
         if (textured && color == glm::dvec3(0.0)) {
             note("Kd 0 beside map_Kd, which many exporters write, was taken for 1");
             color = glm::dvec3(1.0);
@@ -116,7 +125,7 @@ private:
         const bool transmits = mtl_.dissolve.value_or(1.0) < 1.0 ||
                                mtl_.transparency.value_or(0.0) > 0.0 ||
                                mtl_.ior.value_or(1.0) != 1.0 || isBlackFilter();
-        return isIllumination({4, 6, 7, 9}) && transmits && mtl_.emission == glm::dvec3(0.0) &&
+        return isIllumination({4, 6, 7, 9}) && transmits && material_.emission == glm::dvec3(0.0) &&
                material_.alphaTexture == Material::kNoTexture;
     }
 

@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "scene/names.h"
 #include "scene/text_cursor.h"
+#include "scene/uv_limit.h"
 
 namespace calotype {
 namespace {
@@ -175,6 +176,12 @@ std::string_view readTrailingOptions(MtlTexture& texture, std::string_view name)
     return name;
 }
 
+void checkRange(std::string_view option, const glm::dvec2& value, const std::string& place) {
+    if (!isUv(value.x) || !isUv(value.y)) {
+        throw SceneError(place, "the numbers of the option " + inQuotes(option) + " " + kMustBeUv);
+    }
+}
+
 } // namespace
 
 std::optional<MtlTexture> parseMtlTexture(std::string_view text, const std::string& place) {
@@ -185,6 +192,8 @@ std::optional<MtlTexture> parseMtlTexture(std::string_view text, const std::stri
     if (name.empty()) {
         return std::nullopt;
     }
+    checkRange("-s", texture.scale, place);
+    checkRange("-o", texture.offset, place);
     texture.file = name;
     return texture;
 }

@@ -10,6 +10,7 @@
 #include "scene/names.h"
 #include "scene/obj_lines.h"
 #include "scene/text_cursor.h"
+#include "scene/uv_limit.h"
 
 namespace calotype {
 namespace {
@@ -89,6 +90,7 @@ private:
         ++counts_[kind];
         int numbers = 0;
         bool finite = true;
+        bool inRange = true;
         while (!cursor.atEnd()) {
             const std::string_view word = cursor.word();
             const std::optional<double> value = parseNumber(word);
@@ -97,6 +99,7 @@ private:
             }
             if (numbers < kUsedNumbers[kind]) {
                 finite = finite && std::isfinite(*value);
+                inRange = inRange && (kind != kTexcoord || isUv(*value));
             }
             ++numbers;
         }
@@ -112,6 +115,8 @@ private:
         } else if (!finite) {
             complain(kind,
                      [&] { return std::string("this ") + kKindNames[kind] + " is not finite"; });
+        } else if (!inRange) {
+            complain(kind, [] { return std::string("a texture coordinate ") + kMustBeUv; });
         }
     }
 

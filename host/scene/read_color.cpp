@@ -3,15 +3,11 @@
 #include <charconv>
 #include <cmath>
 
+#include "image/srgb.h"
 #include "scene/names.h"
 
 namespace calotype {
 namespace {
-
-/// IEC 61966-2-1, both sides in [0, 1].
-double linearFromSrgb(double encoded) {
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
 
 glm::dvec3 readHexColor(const JsonValue& value) {
     const std::string& text = value.text();

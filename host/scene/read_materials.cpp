@@ -4,7 +4,6 @@
 #include <array>
 #include <optional>
 
-#include "scene/material_energy.h"
 #include "scene/names.h"
 #include "scene/read_color.h"
 #include "scene/read_displacement.h"
@@ -116,7 +115,7 @@ void refuseEmission(const JsonValue& dielectric) {
     }
 }
 
-Material readMaterial(const JsonValue& value, const std::string& name, LoadContext& context) {
+Material readMaterial(const JsonValue& value, const std::string& name, const LoadContext& context) {
     Material material;
     material.name = name;
     material.type = static_cast<MaterialType>(choiceAt(value, "type", kTypes));
@@ -141,9 +140,6 @@ Material readMaterial(const JsonValue& value, const std::string& name, LoadConte
     if (material.type == MaterialType::BlinnPhong) {
         readBlinnPhong(object, material);
     }
-    if (const auto warning = energyWarning(material)) {
-        context.warn(value.where(), *warning);
-    }
     return material;
 }
 
@@ -157,6 +153,7 @@ void readMaterials(const JsonValue& value, LoadContext& context) {
         const JsonValue place = value.child(name);
         context.addMaterial(readMaterial(place, name, context));
         context.materialNames.push_back(name);
+        context.materialPlaces.push_back(place.where());
         std::optional<Displacement>& displacement = context.displacements.emplace_back();
         if (material.contains("displacement")) {
             displacement = readDisplacement(place.child("displacement"), context);

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "scene/displacement.h"
+#include "scene/material_textures.h"
 #include "scene/mesh_builder.h"
 #include "scene/mesh_materials.h"
 #include "scene/names.h"
@@ -46,12 +47,6 @@ std::vector<std::optional<Displacement>> readDisplacements(const JsonObject& mes
     return context.displacements;
 }
 
-bool readsTextures(const Material& material) {
-    const uint32_t slots[] = {material.colorTexture, material.roughnessTexture,
-                              material.specularTexture, material.normalMap, material.alphaTexture};
-    return std::ranges::any_of(slots, [](uint32_t slot) { return slot != Material::kNoTexture; });
-}
-
 void warnOfMissingUvs(std::span<const Mesh::Triangle> triangles,
                       std::span<const std::optional<Displacement>> displacements,
                       const std::string& path, LoadContext& context) {
@@ -63,7 +58,7 @@ void warnOfMissingUvs(std::span<const Mesh::Triangle> triangles,
     }
     for (const uint32_t index : lacking) {
         const Material& material = context.scene.materials[index];
-        if (readsTextures(material) || (index < displacements.size() && displacements[index])) {
+        if (hasTextures(material) || (index < displacements.size() && displacements[index])) {
             context.warn(path, "faces that bear the textured material " + inQuotes(material.name) +
                                    " lack texture coordinates, which count as (0, 0)");
         }

@@ -7,6 +7,7 @@
 
 #include "scene/mesh_builder.h"
 #include "scene/read_transform.h"
+#include "scene/uv_limit.h"
 
 namespace calotype {
 namespace {
@@ -36,6 +37,14 @@ void checkPlanar(const std::vector<glm::dvec3>& v, const JsonValue& place) {
     }
 }
 
+double readUv(const JsonValue& coordinate) {
+    const double number = coordinate.number();
+    if (!isUv(number)) {
+        coordinate.fail(kMustBeUv);
+    }
+    return number;
+}
+
 /// One for each vertex, or `otherwise` without "uvs". A light has none.
 std::vector<glm::dvec2> readUvs(const JsonObject& object, PolygonUse use,
                                 const std::vector<glm::dvec2>& otherwise) {
@@ -49,7 +58,7 @@ std::vector<glm::dvec2> readUvs(const JsonObject& object, PolygonUse use,
     std::vector<glm::dvec2> uvs;
     for (const JsonValue& uv : value->array(otherwise.size())) {
         const std::vector<JsonValue> coordinates = uv.array(2);
-        uvs.emplace_back(coordinates[0].number(), coordinates[1].number());
+        uvs.emplace_back(readUv(coordinates[0]), readUv(coordinates[1]));
     }
     return uvs;
 }

@@ -6,6 +6,7 @@
 #include "scene/names.h"
 #include "scene/read_color.h"
 #include "scene/texture_file.h"
+#include "scene/uv_limit.h"
 
 namespace calotype {
 namespace {
@@ -37,6 +38,14 @@ CheckerTexture readChecker(const JsonObject& object) {
     return {{readReflectance(colors[0]), readReflectance(colors[1])}};
 }
 
+double readScale(const JsonValue& factor) {
+    const double number = factor.positiveNumber();
+    if (!isUv(number)) {
+        factor.fail(kMustBeUv);
+    }
+    return number;
+}
+
 Texture readTexture(const JsonValue& value, const std::string& name, LoadContext& context) {
     const size_t type = choiceAt(value, "type", kTypes);
     const JsonObject object(value, type == kImage
@@ -47,7 +56,7 @@ Texture readTexture(const JsonValue& value, const std::string& name, LoadContext
     texture.name = name;
     if (const auto scale = object.optional("scale")) {
         const std::vector<JsonValue> factors = scale->array(2);
-        texture.scale = {factors[0].positiveNumber(), factors[1].positiveNumber()};
+        texture.scale = {readScale(factors[0]), readScale(factors[1])};
     }
     if (type == kImage) {
         ImageTexture image = readImage(object, context);

@@ -10,6 +10,11 @@ namespace {
 
 MtlTexture parse(const std::string& text) { return parseMtlTexture(text, "m.mtl:3").value(); }
 
+void expectMessage(const SceneError& error, const std::string& fragment) {
+    EXPECT_EQ(error.where(), "m.mtl:3");
+    EXPECT_NE(std::string(error.what()).find(fragment), std::string::npos) << error.what();
+}
+
 TEST(MtlTexture, FindsTheName) {
     for (const auto& [text, file] : std::vector<std::pair<std::string, std::string>>{
              {"a.png", "a.png"},
@@ -76,6 +81,17 @@ TEST(MtlTexture, RefusesGarbageInOptions) {
                              "-mm 0 a.png", "-boost inf a.png"}) {
         EXPECT_EQ(errorOf([&] { parse(text); }).where(), "m.mtl:3") << text;
     }
+}
+
+TEST(MtlTexture, RefusesScalesAndOffsetsBeyondSinglePrecision) {
+    for (const char* text :
+         {"-s 1.1e9 a.png", "-s 1 -1.1e9 a.png", "a.png -s 1e30", "-s 1e300 a"}) {
+        expectMessage(errorOf([&] { parse(text); }), "the option \"-s\" must lie in [-1e9, 1e9]");
+    }
+    for (const char* text : {"-o 0 1.1e9 a.png", "a.png -o 1e30"}) {
+        expectMessage(errorOf([&] { parse(text); }), "the option \"-o\" must lie in [-1e9, 1e9]");
+    }
+    EXPECT_EQ(parse("-s 1e9 -1e9 1e30 a.png").scale, glm::dvec2(1e9, -1e9));
 }
 
 TEST(MtlTexture, LongLinesTakeBoundedTime) {

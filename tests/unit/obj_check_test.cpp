@@ -54,6 +54,7 @@ TEST(ObjCheck, AcceptsWhatIsLegalOrDoesNotMatter) {
         // Not used by any face, so of no matter.
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 x\nv nan 0 0\nvn 0 0\nvt zero\nf 1 2 3\n",
         kTriangle + "vn nan 0 inf\nf 1//1 2//1 3//1\n",
+        kTriangle + "vt 1e30 0\nvt 1e9 -1e9 1e30\nf 1/2 2/2 3/2\n",
     };
     for (const std::string& text : texts) {
         EXPECT_NO_THROW(checkObj(text, "a.obj")) << text;
@@ -86,6 +87,8 @@ TEST(ObjCheck, RefusesWithTheLine) {
         {kTriangle + "vn 0 0\nf 1//1 2//1 3//1\n", 4, "a normal needs 3 numbers, not 2"},
         {kTriangle + "vt x\nf 1/1 2/1 3/1\n", 4, "\"x\" is not a number"},
         {kTriangle + "vt 0 inf\nf 1/1 2/1 3/1\n", 4, "texture coordinate is not finite"},
+        {kTriangle + "vt 1.1e9\nf 1/1 2/1 3/1\n", 4, "must lie in [-1e9, 1e9]"},
+        {kTriangle + "vt 0 -1e30\nf 1/1 2/1 3/1\n", 4, "must lie in [-1e9, 1e9]"},
         {kTriangle + "f 1 2\n", 4, "at least 3 corners, not 2"},
         {kTriangle + "f\n", 4, "at least 3 corners, not 0"},
         {kTriangle + "f 1 2 0\n", 4, "index 0"},

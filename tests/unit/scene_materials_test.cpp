@@ -1,4 +1,4 @@
-// Every key of every material, its errors with their places, and the warnings of lost energy.
+// Every key of every material, and its errors with their places.
 
 #include "load_context_fixture.h"
 
@@ -12,13 +12,6 @@ protected:
     Material read(const std::string& material) {
         readMaterialsFrom("{\"m\": " + material + "}");
         return context.scene.materials.back();
-    }
-
-    /// The warnings of this material alone.
-    std::vector<std::string> warningsOf(const std::string& material) {
-        context.scene.warnings.clear();
-        read(material);
-        return context.scene.warnings;
     }
 };
 
@@ -181,43 +174,6 @@ TEST_F(SceneMaterials, MistakesAreErrorsWithTheirPlaces) {
         expectError(errorOf([&] { read("{" + mistake.material + "}"); }),
                     "scene.json: /materials/m" + mistake.where, mistake.fragment);
     }
-}
-
-TEST_F(SceneMaterials, BlinnPhongWarnsByItsWeights) {
-    const auto paint = [](const std::string& weights) {
-        return R"({"type": "blinn_phong", "color": 0, "exponent": 9, )" + weights + "}";
-    };
-    // 0.7 + 4 * 0.075 is 1 in decimal, and more in binary.
-    EXPECT_TRUE(warningsOf(paint(R"("kd": 0.7, "ks": 0.075)")).empty());
-    const auto warnings = warningsOf(paint(R"("kd": 0.7, "ks": 0.076)"));
-    ASSERT_EQ(warnings.size(), 1u);
-    EXPECT_EQ(warnings[0],
-              "/scene.json: /materials/m: this blinn_phong can reflect more light than "
-              "it receives, since kd + 4 ks > 1; lower kd or ks, or set "
-              "\"normalize\": true");
-    EXPECT_TRUE(warningsOf(paint(R"("kd": 0.7, "ks": 0.3, "normalize": true)")).empty());
-    const auto normalized = warningsOf(paint(R"("kd": 0.7, "ks": 0.31, "normalize": true)"));
-    ASSERT_EQ(normalized.size(), 1u);
-    EXPECT_NE(normalized[0].find("kd + ks > 1; lower kd or ks"), std::string::npos);
-}
-
-TEST_F(SceneMaterials, NonmetalsWarnWhereTheirAlbedoExceedsOne) {
-    const auto nonmetal = [](const std::string& keys) {
-        return R"({"type": "nonmetal", )" + keys + "}";
-    };
-    EXPECT_TRUE(warningsOf(nonmetal(R"("color": 0.87, "roughness": 0)")).empty());
-    const auto warnings = warningsOf(nonmetal(R"("color": [0, 0.89, 0], "roughness": 0)"));
-    ASSERT_EQ(warnings.size(), 1u);
-    EXPECT_NE(warnings[0].find("reflects up to 101."), std::string::npos) << warnings[0];
-    EXPECT_TRUE(warningsOf(nonmetal(R"("color": 0.95, "roughness": 0.5)")).empty());
-    EXPECT_EQ(warningsOf(nonmetal(R"("color": 1, "roughness": 0.5)")).size(), 1u);
-    // Smith's masking lets more light through.
-    const std::string smooth = R"("color": 0.7, "roughness": 0.1)";
-    EXPECT_TRUE(warningsOf(nonmetal(smooth)).empty());
-    EXPECT_EQ(warningsOf(nonmetal(smooth + R"(, "masking": "smith")")).size(), 1u);
-    // Nothing is said of what only the texture knows.
-    EXPECT_TRUE(warningsOf(nonmetal(R"("color": "opaque", "roughness": 0)")).empty());
-    EXPECT_TRUE(warningsOf(nonmetal(R"("color": 0.95, "roughness": "tiles")")).empty());
 }
 
 } // namespace

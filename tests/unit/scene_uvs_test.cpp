@@ -61,6 +61,18 @@ TEST_F(SceneUvs, PolygonsHaveThoseOfTheFile) {
     EXPECT_EQ(uvsOf(quad, 1), (Uvs{{0.5, 2}, {5, 6.5}, {7, 8}}));
 }
 
+TEST_F(SceneUvs, BeyondSinglePrecisionAreErrorsWithTheirPlace) {
+    const auto readWith = [&](const std::string& coordinate) {
+        return read(kQuad + std::string(R"(, "uvs": [[0, 0], [1, 0], [1, 1], [0, )") + coordinate +
+                    "]]}");
+    };
+    for (const std::string coordinate : {"1.1e9", "-1.1e9", "1e30", "1e300"}) {
+        expectError(errorOf([&] { readWith(coordinate); }), "scene.json: /shapes/0/uvs/3/1",
+                    "must lie in [-1e9, 1e9]");
+    }
+    EXPECT_EQ(uvAt(readWith("-1e9"), 1, {0, 2, 0}), glm::dvec2(0, -1e9));
+}
+
 TEST_F(SceneUvs, StayWithTheirCornersInAMirror) {
     const std::string uvs = R"(, "uvs": [[1, 2], [3, 4], [5, 6], [7, 8]], "transform": )";
     const Mesh quad = read(kQuad + uvs + R"({"scale": [-1, 1, 1]}})");

@@ -63,7 +63,11 @@ BROKEN = [
     (["shapes", 1, "vertices"], [[0, 0, 0]]),
     (["shapes", 1, "uvs"], [[0, 0], [1, 0], [1, 1]]),
     (["shapes", 1, "uvs"], [[0, 0], [1, 0], [1, 1], [0, 1, 0]]),
+    (["shapes", 1, "uvs"], [[0, 0], [1, 0], [1, 1], [0, 1.1e9]]),
+    (["shapes", 1, "uvs"], [[0, 0], [1, 0], [1, 1], [-1.1e9, 0]]),
     (["shapes", 0, "uvs"], [[0, 0]]),
+    (["textures", "tiles", "scale"], [1, 0]),
+    (["textures", "tiles", "scale"], [1, 1.1e9]),
     (["lights", 0, "uvs"], [[0, 0]]),
     (["lights", 0, "power"], 1),
     (["lights", 0, "type"], "sphere"),
@@ -77,6 +81,8 @@ ACCEPTED = [
     (["camera"], {"lens_radius": 0}),
     (["materials", "wood", "specular"], 0.08),
     (["materials", "gold", "masking"], "schlick"),
+    (["textures", "tiles", "scale"], [1e9, 1e-9]),
+    (["shapes", 1, "uvs"], [[0, 0], [1, 0], [1e9, 1], [0, -1e9]]),
 ]
 
 VALID = {
