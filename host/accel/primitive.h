@@ -25,9 +25,6 @@ inline glm::vec3 packPosition(const glm::dvec3& world, const glm::dvec3& origin)
     return glm::vec3(world - origin);
 }
 
-/// Exact bounds of all shapes, in the world.
-Bounds3d sceneBounds(const Scene& scene);
-
 /// The origin of the packed scene: the camera, or the nearest point of the scene's bounds, so that
 /// neither a scene far from the world's origin nor a camera far from the scene costs precision.
 glm::dvec3 packingOrigin(const Scene& scene);

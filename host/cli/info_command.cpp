@@ -11,6 +11,7 @@
 #include "pack/gpu_scene.h"
 #include "render/path_tracer.h"
 #include "scene/load.h"
+#include "scene/scene_bounds.h"
 #include "shared/limits.h"
 
 namespace calotype {

@@ -4,21 +4,19 @@
 #include <chrono>
 #include <cstdio>
 #include <exception>
+#include <memory>
 
-#include "accel/median_split.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "cli/check_outputs.h"
-#include "cli/device_session.h"
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
 #include "cli/progress.h"
+#include "cli/render_engine.h"
 #include "cli/statistics.h"
+#include "cli/timed.h"
 #include "film/write_image.h"
-#include "pack/gpu_scene.h"
-#include "render/first_hit_pass.h"
 #include "render/render_session.h"
-#include "render/scene_buffers.h"
 #include "scene/load.h"
 
 namespace calotype {
@@ -26,18 +24,15 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Runs `stage` and stores how long it took.
-template <typename Stage>
-auto timed(double& seconds, Stage&& stage) {
-    const Clock::time_point start = Clock::now();
-    auto result = stage();
-    seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    return result;
-}
-
 void throwIfInterrupted() {
     if (isInterrupted())
         throw Interrupted();
+}
+
+/// Shows what is being done, and the share of it done.
+void step(Progress& progress, const std::string& what, double done) {
+    throwIfInterrupted();
+    progress.step(what, done);
 }
 
 RenderSettings makeSettings(const RenderOptions& options, const Scene& scene) {
@@ -70,33 +65,29 @@ public:
             std::fprintf(stderr, "calotype: warning: %s\n", warning.c_str());
         settings_ = makeSettings(options_, scene);
         sceneHash_ = scene.hash;
-        // The device comes first: without one, building would be in vain.
-        const DeviceSession deviceSession(options_.device);
-        const Device& device = deviceSession.device();
-        const GpuScene packed = timed(seconds_.build, [&] { return build(scene, preparation); });
-        deviceBytes_ = packed.bytes() + pathTracerBytes(settings_) +
-                       (wantsLayers() ? firstHitPassBytes(settings_) : 0);
-        requireMemory(device, deviceBytes_);
-        preparation.clear();
-        const SceneBuffers buffers =
-            timed(seconds_.upload, [&] { return SceneBuffers(device, packed); });
-        PathTracer tracer = timed(seconds_.compile, [&] {
-            return PathTracer(device, packed, buffers, packed.features, settings_);
-        });
+        const std::unique_ptr<RenderEngine> engine = makeEngine(
+            options_.device, scene,
+            {settings_, wantsLayers(),
+             [&](const std::string& what, double done) { step(preparation, what, done); }},
+            seconds_);
         throwIfInterrupted();
         if (wantsLayers())
-            firstHits_ = findFirstHits(device, packed, buffers, preparation);
+            firstHits_ = engine->firstHits(
+                [&](double done) { step(preparation, "finding first hits", done); });
+        cutPixels_ = engine->cutPixels();
+        preparation.clear();
         const double prepared = std::chrono::duration<double>(Clock::now() - start_).count();
-        RenderSession session(tracer, settings_, packed.maxRadiance);
+        RenderSession session(engine->tracer(), settings_, engine->maxRadiance());
         const bool complete = render(session);
         totals_ = session.totals();
         seconds_.render = totals_.seconds;
         seconds_.firstSample = prepared + totals_.firstSampleSeconds;
         timed(seconds_.write, [&] { return writeOutputs(session.picture()); });
         if (!options_.statsFile.empty())
-            writeFileAtomically(options_.statsFile, toJson({device.info(), settings_, totals_,
-                                                            seconds_, deviceBytes_, sceneHash_}));
-        deviceSession.throwOnValidationMessages();
+            writeFileAtomically(options_.statsFile,
+                                toJson({engine->info(), settings_, totals_, seconds_,
+                                        engine->deviceBytes(), sceneHash_}));
+        engine->finish();
         report(complete);
         return complete ? kExitDone : kExitOther;
     }
@@ -107,39 +98,14 @@ private:
         loadOptions.overrides = options_.scene.overrides;
         loadOptions.missingTextures = options_.scene.missingTextures;
         loadOptions.onProgress = [&](const std::string& what, double done) {
-            throwIfInterrupted();
-            progress.step("loading " + what, done);
+            step(progress, "loading " + what, done);
         };
         Scene scene = loadScene(options_.scene.path, loadOptions);
         throwIfInterrupted();
         return scene;
     }
 
-    GpuScene build(const Scene& scene, Progress& progress) {
-        const glm::dvec3 origin = packingOrigin(scene);
-        const std::vector<Primitive> primitives = collectPrimitives(scene, origin);
-        const Bvh bvh = buildMedianSplit(primitives, [&](double done) {
-            throwIfInterrupted();
-            progress.step("building the BVH", done);
-        });
-        return packScene(scene, primitives, bvh, origin,
-                         static_cast<double>(settings_.width) / settings_.height,
-                         wantsLayers() ? PackedUvs::All : PackedUvs::OfTextured);
-    }
-
     bool wantsLayers() const { return !options_.layers.empty(); }
-
-    FirstHitImage findFirstHits(const Device& device, const GpuScene& packed,
-                                const SceneBuffers& buffers, Progress& progress) {
-        FirstHitPass pass(device, packed, buffers, packed.features, settings_);
-        FirstHitImage hits = pass.run([&](double done) {
-            throwIfInterrupted();
-            progress.step("finding first hits", done);
-        });
-        progress.clear();
-        cutPixels_ = pass.cutPixels();
-        return hits;
-    }
 
     bool render(RenderSession& session) {
         const uint64_t pixels = uint64_t{settings_.crop.width} * settings_.crop.height;
@@ -237,7 +203,6 @@ private:
     RenderTotals totals_;
     StageSeconds seconds_;
     uint64_t sceneHash_ = 0;
-    uint64_t deviceBytes_ = 0;
     FirstHitImage firstHits_; ///< empty where no layer is wanted
     uint64_t cutPixels_ = 0;  ///< of firstHits_
 };

@@ -14,6 +14,7 @@
 #include "pack/pack_camera.h"
 #include "pack/pack_material.h"
 #include "pack/pack_shapes.h"
+#include "scene/scene_bounds.h"
 
 namespace calotype {
 namespace {
@@ -53,6 +54,7 @@ public:
     GpuScene pack(double aspectRatio) {
         requireIndexable(bvh_.nodes.size(), primitives_.size());
         packPrimitives();
+        sortLights();
         packNodes();
         packed_.textures = textures_.takePacked();
         packed_.texelRows = textures_.takeTexelRows();
@@ -97,7 +99,7 @@ private:
                      bool textured) {
         const auto name = static_cast<uint32_t>(packed_.triangles.size());
         gpu::Triangle triangle = packTriangle(mesh, index, packed_.origin, number);
-        triangle.light = addLight(triangle.material, name, areaOf(triangle));
+        triangle.light = addLight(triangle.material, name, number, areaOf(triangle));
         triangle.material |= transparentBit(triangle.material);
         enable(gpu::kFeatureTriangles, true);
         enable(gpu::kFeatureTriangleLights, triangle.light != gpu::kNone);
@@ -112,7 +114,7 @@ private:
     void addQuadric(const Shape& shape, uint32_t number) {
         const auto name = static_cast<uint32_t>(packed_.quadrics.size()) | gpu::kQuadricBit;
         gpu::Quadric quadric = packQuadric(shape, packed_.origin, number);
-        quadric.light = addLight(quadric.material, name, areaOf(quadric));
+        quadric.light = addLight(quadric.material, name, number, areaOf(quadric));
         quadric.material |= transparentBit(quadric.material);
         enable(gpu::kFeatureSpheres + quadric.kind, true);
         enable(gpu::kFeatureSphereLights + quadric.kind, quadric.light != gpu::kNone);
@@ -121,7 +123,7 @@ private:
     }
 
     /// The new light's index, or kNone where the material does not shine or there is no area.
-    uint32_t addLight(uint32_t materialIndex, uint32_t primitive, double area) {
+    uint32_t addLight(uint32_t materialIndex, uint32_t name, uint32_t number, double area) {
         const Material& material = scene_.materials[materialIndex];
         // A light that is off but hidden from the camera still has to be seen through.
         const bool shines = maxComponent(material.emission) > 0.0 && area > 0.0;
@@ -130,7 +132,7 @@ private:
         requireFloatRange(material.emission, "material '" + material.name + "'");
         gpu::Light light{};
         light.radiance = glm::vec3(material.emission);
-        light.primitive = primitive;
+        light.primitive = name;
         light.area = static_cast<float>(area);
         light.flags = (material.emitsFromFrontOnly ? 0 : gpu::kLightEmitsFromBack) |
                       (material.visibleToCamera ? 0 : gpu::kLightHiddenFromCamera);
@@ -139,7 +141,27 @@ private:
         powers_.push_back(luminance(material.emission) * area * sides);
         packed_.maxRadiance = std::max(packed_.maxRadiance, maxComponent(material.emission));
         packed_.lights.push_back(light);
+        lightNumbers_.push_back(number);
         return packed_.lightCount++;
+    }
+
+    /// Brings the lights into the order of the scene file, so that which one a random number picks
+    /// does not depend on the tree.
+    void sortLights() {
+        std::vector<uint32_t> order(packed_.lightCount);
+        std::iota(order.begin(), order.end(), 0u);
+        std::ranges::sort(order, {}, [&](uint32_t light) { return lightNumbers_[light]; });
+        const std::vector<gpu::Light> lights = packed_.lights;
+        const std::vector<double> powers = powers_;
+        for (uint32_t i = 0; i < order.size(); ++i) {
+            const uint32_t name = lights[order[i]].primitive;
+            packed_.lights[i] = lights[order[i]];
+            powers_[i] = powers[order[i]];
+            if ((name & gpu::kQuadricBit) != 0)
+                packed_.quadrics[name & ~gpu::kQuadricBit].light = i;
+            else
+                packed_.triangles[name].light = i;
+        }
     }
 
     void packNodes() {
@@ -246,9 +268,10 @@ private:
     PackedUvs uvs_;
     TexturePacker textures_;
     GpuScene packed_;
-    std::vector<bool> isPacked_;  ///< by material
-    std::vector<uint32_t> names_; ///< by place in the leaves' order: index, with kQuadricBit
-    std::vector<double> powers_;  ///< by light, up to a common factor
+    std::vector<bool> isPacked_;         ///< by material
+    std::vector<uint32_t> names_;        ///< by place in the leaves' order: index, with kQuadricBit
+    std::vector<double> powers_;         ///< by light, up to a common factor
+    std::vector<uint32_t> lightNumbers_; ///< by light: its primitive's number
 };
 
 template <typename T>

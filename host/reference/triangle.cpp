@@ -45,7 +45,8 @@ struct ScaledEdges {
 };
 
 /// Whether the point lies in the plane but for rounding: the volume that it spans with the triangle
-/// is nothing, compared with the sum of the absolute values of its terms.
+/// is nothing compared with the sum of the absolute values of its terms, or its distance from the
+/// plane is nothing compared with those of the corners, from which that of a hit is computed.
 bool isInPlane(const Corners& corners, const glm::dvec3& point) {
     const ScaledEdges edges(corners);
     const glm::dvec3 a = edges.toSecond;
@@ -54,8 +55,10 @@ bool isInPlane(const Corners& corners, const glm::dvec3& point) {
     const glm::dvec3 terms(std::abs(a.y * b.z) + std::abs(a.z * b.y),
                            std::abs(a.z * b.x) + std::abs(a.x * b.z),
                            std::abs(a.x * b.y) + std::abs(a.y * b.x));
-    return std::abs(glm::dot(glm::cross(a, b), p)) <=
-           kSurfaceTolerance * glm::dot(terms, glm::abs(p));
+    const glm::dvec3 normal = glm::cross(a, b);
+    return std::abs(glm::dot(normal, p)) <=
+           kSurfaceTolerance * (glm::dot(terms, glm::abs(p)) +
+                                glm::length(normal) * (glm::length(p) + edges.size));
 }
 
 } // namespace

@@ -9,6 +9,7 @@
 #include "gpu/compute_pipeline.h"
 #include "gpu/storage_image.h"
 #include "pack/gpu_scene.h"
+#include "render/block_tracer.h"
 #include "render/render_settings.h"
 #include "render/scene_buffers.h"
 #include "shared/render_structs.h"
@@ -16,30 +17,17 @@
 namespace calotype {
 
 /// The path tracing kernel with its storage image, which holds one block of samples.
-class PathTracer {
+class PathTracer : public BlockTracer {
 public:
-    /// A range of the picture's tiles, in the order in which they are spread over the threads.
-    struct TileRange {
-        uint32_t first = 0;
-        uint32_t count = 0;
-    };
-
     /// Compiles the kernel, specialised for `features`. The scene's buffers must outlive this.
     PathTracer(const Device& device, const GpuScene& scene, const SceneBuffers& buffers,
                const SceneFeatures& features, const RenderSettings& settings);
 
-    uint32_t tileCount() const { return tileCount_; }
-
-    /// Empties the storage image for the block that begins at the absolute sample `firstSample`.
-    void beginBlock(uint32_t firstSample);
-
-    /// Brings the pixels of some tiles to `sampleEnd` samples of the block, as far as the loop
-    /// budget of one dispatch allows: call again while `unfinishedPixels` is not zero.
-    gpu::RenderCounters renderTiles(TileRange tiles, uint32_t sampleEnd);
-
-    /// The block so far: per pixel the sum of r, g, b, and in w the number of samples. Valid until
-    /// the next call.
-    std::span<const glm::vec4> readBlock();
+    uint32_t tileCount() const override { return tileCount_; }
+    void beginBlock(uint32_t firstSample) override;
+    /// One dispatch: it goes as far as the device's loop budget allows.
+    gpu::RenderCounters renderTiles(TileRange tiles, uint32_t sampleEnd) override;
+    std::span<const glm::vec4> readBlock() override;
 
 private:
     const Device& device_;

@@ -24,7 +24,8 @@ uint32_t endOfPass(uint32_t done, uint32_t samplesPerPixel, uint32_t passSamples
 
 } // namespace
 
-RenderSession::RenderSession(PathTracer& tracer, const RenderSettings& settings, double maxRadiance)
+RenderSession::RenderSession(BlockTracer& tracer, const RenderSettings& settings,
+                             double maxRadiance)
     : tracer_(tracer), settings_(settings),
       film_(settings.crop.width, settings.crop.height, filmUnit(maxRadiance)),
       sizer_(std::min(tracer.tileCount(), 65535u)) {}

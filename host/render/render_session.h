@@ -5,8 +5,8 @@
 
 #include "film/film.h"
 #include "image/image.h"
+#include "render/block_tracer.h"
 #include "render/dispatch_sizer.h"
-#include "render/path_tracer.h"
 #include "render/render_settings.h"
 
 namespace calotype {
@@ -35,7 +35,7 @@ struct RenderObserver {
 /// unfinished one show in the picture only.
 class RenderSession {
 public:
-    RenderSession(PathTracer& tracer, const RenderSettings& settings, double maxRadiance);
+    RenderSession(BlockTracer& tracer, const RenderSettings& settings, double maxRadiance);
 
     /// Renders until all samples are there or the observer stops it. True if all are there.
     /// `passSamples`, if not 0, makes a pass end at every multiple of it.
@@ -51,7 +51,7 @@ private:
     bool renderPass(uint32_t sampleEnd, const RenderObserver& observer);
     void add(const gpu::RenderCounters& counters);
 
-    PathTracer& tracer_;
+    BlockTracer& tracer_;
     RenderSettings settings_;
     Film film_;
     DispatchSizer sizer_;

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "image/srgb.h"
+
 namespace calotype {
 namespace {
 
@@ -22,22 +24,33 @@ uint32_t wrapped(double index, uint32_t count, TextureWrap wrap) {
 /// Texels of an image by column and row, rows from the bottom up.
 class TexelGrid {
 public:
-    explicit TexelGrid(const ImageTexture& texture) : image_(*texture.image), wrap_(texture.wrap) {}
+    TexelGrid(const ImageTexture& texture, bool decodes)
+        : image_(*texture.image), wrap_(texture.wrap), decodes_(decodes && image_.isEncoded) {}
 
-    double at(double column, double row) const {
+    glm::dvec4 at(double column, double row) const {
         const size_t x = wrapped(column, image_.width, wrap_);
         const size_t y = image_.height - 1 - wrapped(row, image_.height, wrap_);
-        const size_t first = 4 * (y * image_.width + x);
-        return image_.holdsBytes() ? image_.bytes[first] / 255.0 : image_.floats[first];
+        const size_t index = y * image_.width + x;
+        const auto color = [&](int channel) {
+            const double value = component(index, channel);
+            return decodes_ ? linearFromSrgb(value) : value;
+        };
+        return {color(0), color(1), color(2), component(index, 3)};
     }
 
 private:
+    double component(size_t index, int channel) const {
+        const size_t at = 4 * index + static_cast<size_t>(channel);
+        return image_.holdsBytes() ? image_.bytes[at] / 255.0 : image_.floats[at];
+    }
+
     const TexelImage& image_;
     TextureWrap wrap_;
+    bool decodes_;
 };
 
-double lookUp(const ImageTexture& texture, const glm::dvec2& uv) {
-    const TexelGrid grid(texture);
+glm::dvec4 lookUp(const ImageTexture& texture, const glm::dvec2& uv, bool decodes) {
+    const TexelGrid grid(texture, decodes && texture.decodesColor);
     const double x = uv.x * texture.image->width;
     const double y = uv.y * texture.image->height;
     if (texture.filter == TextureFilter::Nearest) {
@@ -53,8 +66,9 @@ double lookUp(const ImageTexture& texture, const glm::dvec2& uv) {
     return (1.0 - toTop) * rowAt(bottom) + toTop * rowAt(bottom + 1.0);
 }
 
-double lookUp(const CheckerTexture& checker, const glm::dvec2& uv) {
-    return checker.colors[isOdd(std::floor(uv.x)) != isOdd(std::floor(uv.y)) ? 1 : 0].x;
+glm::dvec4 lookUp(const CheckerTexture& checker, const glm::dvec2& uv, bool) {
+    const bool isOddField = isOdd(std::floor(uv.x)) != isOdd(std::floor(uv.y));
+    return glm::dvec4(checker.colors[isOddField ? 1 : 0], 1.0);
 }
 
 /// `value`, where the size of an image that multiplies it cannot take it out of range.
@@ -62,10 +76,15 @@ double inRange(double value) { return std::abs(value) < 1e300 ? value : 0.0; }
 
 } // namespace
 
-double lookUpScalar(const Texture& texture, const glm::dvec2& uv) {
+glm::dvec4 lookUp(const Texture& texture, const glm::dvec2& uv, bool decodes) {
     const glm::dvec2 moved = uv * texture.scale + texture.offset;
     const glm::dvec2 finite(inRange(moved.x), inRange(moved.y));
-    return std::visit([&](const auto& source) { return lookUp(source, finite); }, texture.source);
+    return std::visit([&](const auto& source) { return lookUp(source, finite, decodes); },
+                      texture.source);
+}
+
+double lookUpScalar(const Texture& texture, const glm::dvec2& uv) {
+    return lookUp(texture, uv, false).x;
 }
 
 } // namespace calotype

@@ -66,7 +66,8 @@ SurfaceSample sampleQuadricLight(Quadric quadric, float area, vec3 reference, ve
     bool hidden = isOnFarSide(quadric, reference, point.position, point.normal);
     float pdf = hidden ? 0.0 : solidAnglePdf(area, reference, point.position, point.normal);
     vec2 uv = hasAlpha ? quadricCoordinates(quadric, local).uv : vec2(0.0);
-    return SurfaceSample(point.position, point.error, point.normal, pdf, uv);
+    vec3 wi = normalize(point.position - reference);
+    return SurfaceSample(point.position, point.error, point.normal, wi, pdf, uv);
 }
 
 #endif

@@ -30,32 +30,38 @@ float sphereLightPdf(Quadric sphere, float area, vec3 reference, vec3 position, 
 
 /// The direction from the centre to a point seen under the angle theta off the axis makes the angle
 /// beta - theta with the axis to the reference, where sin beta = sin theta / sin thetaMax by the
-/// law of sines.
+/// law of sines. The direction to the point is the cone's, not a difference of positions: a
+/// reference on the sphere itself is then lit by nothing, since all of the cone lies below it.
 SurfaceSample sampleSphereLight(Quadric sphere, float area, vec3 reference, vec2 u) {
     vec3 toReference = reference - sphere.center;
     float sin2ThetaMax = sphereSin2(sphere, reference);
+    bool outside = sin2ThetaMax < 1.0;
     vec2 phi = sinCosTwoPi(u.y);
+    float oneMinusCos = outside ? u.x * oneMinusConeCosine(sin2ThetaMax) : 0.0;
+    float sin2Theta = oneMinusCos * (2.0 - oneMinusCos);
+    float sinTheta = sqrt(sin2Theta);
     float sinAlpha, cosAlpha;
-    if (sin2ThetaMax < 1.0) {
-        float oneMinusCos = u.x * oneMinusConeCosine(sin2ThetaMax);
-        float sin2Theta = oneMinusCos * (2.0 - oneMinusCos);
+    if (outside) {
         float sin2Beta = min(sin2Theta / sin2ThetaMax, 1.0);
         float sinBeta = sqrt(sin2Beta);
         float cosBeta = sqrt(1.0 - sin2Beta);
-        sinAlpha = sinBeta * (1.0 - oneMinusCos) - cosBeta * sqrt(sin2Theta);
-        cosAlpha = cosBeta * (1.0 - oneMinusCos) + sinBeta * sqrt(sin2Theta);
+        sinAlpha = sinBeta * (1.0 - oneMinusCos) - cosBeta * sinTheta;
+        cosAlpha = cosBeta * (1.0 - oneMinusCos) + sinBeta * sinTheta;
     } else {
         cosAlpha = 1.0 - 2.0 * u.x;
         sinAlpha = 2.0 * sqrt(u.x * (1.0 - u.x));
     }
     float distance2 = dot(toReference, toReference);
     vec3 axis = distance2 > 0.0 ? toReference * inversesqrt(distance2) : vec3(0.0, 1.0, 0.0);
-    vec3 direction = worldFromLocal(axis) * vec3(sinAlpha * phi.y, sinAlpha * phi.x, cosAlpha);
+    mat3 worldFromCone = worldFromLocal(axis);
+    vec3 direction = worldFromCone * vec3(sinAlpha * phi.y, sinAlpha * phi.x, cosAlpha);
     vec3 local = direction * worldFromQuadric(sphere);
     QuadricPoint point = quadricPoint(sphere, local);
+    vec3 alongCone = worldFromCone * vec3(sinTheta * phi.y, sinTheta * phi.x, oneMinusCos - 1.0);
+    vec3 wi = outside ? alongCone : normalize(point.position - reference);
     float pdf = sphereLightPdf(sphere, area, reference, point.position, point.normal);
     vec2 uv = hasAlpha ? sphereCoordinates(local).uv : vec2(0.0);
-    return SurfaceSample(point.position, point.error, point.normal, pdf, uv);
+    return SurfaceSample(point.position, point.error, point.normal, wi, pdf, uv);
 }
 
 #endif

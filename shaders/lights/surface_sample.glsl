@@ -6,6 +6,7 @@ struct SurfaceSample {
     vec3 position;
     float error; ///< bound on the distance along `normal` between `position` and the true surface
     vec3 normal; ///< of the front
+    vec3 wi;     ///< unit direction from the reference point
     float pdf; ///< per solid angle at the reference point; 0 where the point cannot be seen from it
     vec2 coordinates; ///< barycentrics on a triangle, texture coordinates on a quadric
 };

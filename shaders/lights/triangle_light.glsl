@@ -17,6 +17,7 @@ SurfaceSample sampleTriangleLight(Triangle triangle, float area, vec3 reference,
     point.position = triangle.v0 + (along1 + along2);
     point.normal = triangleNormal(edge1, edge2);
     point.error = triangleError(point.position, along1, along2, point.normal);
+    point.wi = normalize(point.position - reference);
     point.coordinates = b;
     point.pdf = solidAnglePdf(area, reference, point.position, point.normal);
     return point;

@@ -9,6 +9,7 @@
 
 struct LightSample {
     Ray ray;       ///< towards the light, ending at it
+    vec3 wi;       ///< unit direction of the light
     vec3 radiance; ///< along the ray
     float pdf;     ///< per solid angle; 0 where the point cannot be seen
 };
@@ -25,26 +26,26 @@ float emitterAlpha(Light light, vec2 coordinates) {
 
 /// From `origin`, which lies off the surface on the viewer's side.
 LightSample sampleDirectLight(Light light, vec3 origin, vec2 u) {
-    if (isBackground(light))
-        return LightSample(Ray(origin, kFar, sampleBackground(u)), light.radiance, kBackgroundPdf);
+    if (isBackground(light)) {
+        vec3 wi = sampleBackground(u);
+        return LightSample(Ray(origin, kFar, wi), wi, light.radiance, kBackgroundPdf);
+    }
     SurfaceSample point = sampleLight(light, origin, u);
-    vec3 toLight = point.position - origin;
-    vec3 facing = dot(toLight, point.normal) > 0.0 ? -point.normal : point.normal;
+    vec3 facing = dot(point.wi, point.normal) > 0.0 ? -point.normal : point.normal;
     vec3 target = offsetFromSurface(point.position, point.error, facing);
     float distanceToTarget = length(target - origin);
-    vec3 wi = toLight * inversesqrt(dot(toLight, toLight));
-    vec3 radiance = emittedRadiance(light, point.normal, -wi);
+    vec3 radiance = emittedRadiance(light, point.normal, -point.wi);
     if (hasAlpha)
         radiance *= emitterAlpha(light, point.coordinates);
     Ray ray = Ray(origin, distanceToTarget, (target - origin) / distanceToTarget);
-    return LightSample(ray, radiance, point.pdf);
+    return LightSample(ray, point.wi, radiance, point.pdf);
 }
 
 /// Light from one point on one emitter, reflected towards the viewer.
 vec3 directLight(Bsdf bsdf, vec3 origin, vec4 u, uint lightCount, inout PathCost cost) {
     Light light = loadLight(chooseLight(lightCount, u.xy));
     LightSample arriving = sampleDirectLight(light, origin, u.zw);
-    BsdfValue reflection = evaluateBsdf(bsdf, arriving.ray.direction);
+    BsdfValue reflection = evaluateBsdf(bsdf, arriving.wi);
     vec3 radiance = reflection.value * arriving.radiance;
     if (arriving.pdf <= 0.0 || greatest(radiance) <= 0.0)
         return vec3(0.0);

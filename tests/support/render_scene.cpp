@@ -1,10 +1,7 @@
 #include "support/render_scene.h"
 
-#include "accel/median_split.h"
-#include "pack/gpu_scene.h"
-#include "render/scene_buffers.h"
 #include "scene/load.h"
-#include "support/gpu_test.h"
+#include "support/device_tracer.h"
 
 namespace calotype::test {
 
@@ -17,17 +14,10 @@ RenderedScene renderScene(const Scene& scene, const RenderWish& wish) {
     settings.maxBounces = wish.maxBounces.value_or(scene.render.maxBounces);
     settings.seed = wish.seed.value_or(scene.render.seed);
 
-    const glm::dvec3 origin = packingOrigin(scene);
-    const auto primitives = collectPrimitives(scene, origin);
-    const Bvh bvh = buildMedianSplit(primitives);
-    const GpuScene packed = packScene(scene, primitives, bvh, origin,
-                                      static_cast<double>(settings.width) / settings.height);
-    const SceneBuffers buffers(testDevice(), packed);
-    PathTracer tracer(testDevice(), packed, buffers, wish.features.value_or(packed.features),
-                      settings);
-    RenderSession session(tracer, settings, packed.maxRadiance);
+    DeviceTracer device(scene, settings, wish.features);
+    RenderSession session(device.tracer(), settings, device.packed().maxRadiance);
     session.run(wish.observer, wish.passSamples);
-    return {session.picture(), session.totals(), packed.features};
+    return {session.picture(), session.totals(), device.packed().features};
 }
 
 Scene projectScene(const std::string& path) {

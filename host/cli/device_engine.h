@@ -1,0 +1,36 @@
+#pragma once
+
+#include "cli/device_session.h"
+#include "cli/render_engine.h"
+#include "pack/gpu_scene.h"
+#include "render/path_tracer.h"
+#include "render/scene_buffers.h"
+
+namespace calotype {
+
+/// Renders on a Vulkan device.
+class DeviceEngine : public RenderEngine {
+public:
+    DeviceEngine(const DeviceOptions& options, const Scene& scene, const EngineWish& wish,
+                 StageSeconds& seconds);
+
+    BlockTracer& tracer() override { return tracer_; }
+    double maxRadiance() const override { return packed_.maxRadiance; }
+    FirstHitImage firstHits(const std::function<void(double)>& onProgress) override;
+    uint64_t cutPixels() const override { return cutPixels_; }
+    DeviceInfo info() const override { return session_.device().info(); }
+    uint64_t deviceBytes() const override { return deviceBytes_; }
+    void finish() const override { session_.throwOnValidationMessages(); }
+
+private:
+    RenderSettings settings_;
+    // The device comes first: without one, building would be in vain.
+    DeviceSession session_;
+    GpuScene packed_;
+    uint64_t deviceBytes_;
+    SceneBuffers buffers_;
+    PathTracer tracer_;
+    uint64_t cutPixels_ = 0;
+};
+
+} // namespace calotype

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "cli/options.h"
+#include "cli/statistics.h"
+#include "gpu/device_list.h"
+#include "image/first_hit.h"
+#include "render/block_tracer.h"
+#include "render/render_settings.h"
+#include "scene/scene.h"
+
+namespace calotype {
+
+/// What makes a picture's samples: a Vulkan device, or the reference tracer on the CPU.
+class RenderEngine {
+public:
+    virtual ~RenderEngine() = default;
+
+    virtual BlockTracer& tracer() = 0;
+
+    /// Largest emitted radiance of any channel, W/(m^2 sr).
+    virtual double maxRadiance() const = 0;
+
+    /// Only of an engine that was made for it. `onProgress` hears the share of the work done.
+    virtual FirstHitImage firstHits(const std::function<void(double)>& onProgress) = 0;
+
+    /// Pixels of the first hits that show what they should see through.
+    virtual uint64_t cutPixels() const { return 0; }
+
+    virtual DeviceInfo info() const = 0;
+    virtual uint64_t deviceBytes() const { return 0; }
+
+    /// Throws GpuError for what only came to light on the way.
+    virtual void finish() const {}
+};
+
+struct EngineWish {
+    RenderSettings settings;
+    bool wantsFirstHits = false;
+    /// Hears what is being done, and the share of it done; may throw to end it.
+    std::function<void(const std::string&, double)> onProgress;
+};
+
+/// Whether the options ask for the reference tracer instead of a device.
+bool isReference(const DeviceOptions& options);
+
+/// The engine that the options ask for, ready to render. `scene` must outlive it; `seconds` takes
+/// the times of building, uploading and compiling.
+std::unique_ptr<RenderEngine> makeEngine(const DeviceOptions& options, const Scene& scene,
+                                         const EngineWish& wish, StageSeconds& seconds);
+
+} // namespace calotype

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+namespace calotype::reference {
+
+/// What a path's random numbers depend on. Sample indices are absolute.
+struct SampleId {
+    glm::uvec2 pixel{0}; ///< on the whole film, below 65536 each
+    uint32_t sampleIndex = 0;
+    uint32_t seed = 0;
+};
+
+/// A path's numbers in groups of four, as the device numbers them: one group for the camera, then
+/// four groups for each bounce, from the fifth on.
+enum class BounceDimension : uint32_t {
+    Light = 0, ///< choice of a light, two coordinates on it
+    Bsdf = 1,  ///< direction of the next ray, choice of a lobe
+    Alpha = 2, ///< whether surfaces on the way to the next event let through
+};
+
+/// Four independent numbers in [0, 1), multiples of 2^-24, for the position on film and lens.
+glm::dvec4 cameraNumbers(const SampleId& id);
+
+/// Likewise for the event `bounce` of the path.
+glm::dvec4 bounceNumbers(const SampleId& id, uint32_t bounce, BounceDimension dimension);
+
+/// One number in [0, 1), another for each `item`.
+double alphaNumber(const SampleId& id, uint32_t bounce, uint32_t item);
+
+} // namespace calotype::reference

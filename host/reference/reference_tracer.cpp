@@ -1,0 +1,248 @@
+#include "reference/reference_tracer.h"
+
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+
+#include "reference/camera.h"
+#include "reference/warp.h"
+
+namespace calotype::reference {
+namespace {
+
+double greatest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
+
+/// The weight of a sample by one strategy where another might have found it too: the power
+/// heuristic with exponent 2 (Veach 1997, section 9.2.2).
+double powerHeuristic(double pdf, double otherPdf) {
+    const double ratio = otherPdf / pdf;
+    return 1.0 / (1.0 + ratio * ratio);
+}
+
+bool isTransparent(const Material& material) {
+    return material.opacity < 1.0 || material.alphaTexture != Material::kNoTexture;
+}
+
+/// The point off the surface on the side to which `w` points.
+glm::dvec3 leave(const Surface& surface, const glm::dvec3& w) {
+    const double side = glm::dot(w, surface.ng) < 0.0 ? -1.0 : 1.0;
+    return offsetFrom(surface.position, side * surface.ng);
+}
+
+} // namespace
+
+/// One path, event by event.
+class ReferenceTracer::Walk {
+public:
+    Walk(const ReferenceTracer& tracer, const SampleId& id) : tracer_(tracer), id_(id) {
+        const glm::dvec4 u = cameraNumbers(id);
+        const Scene& scene = tracer.scene_;
+        const glm::dvec2 onFilm =
+            glm::dvec2(id.pixel) + samplePixel(scene.film.filter, glm::dvec2(u.x, u.y));
+        ray_ = cameraRay(scene.camera, tracer.imageSize_, onFilm, glm::dvec2(u.z, u.w));
+        vertex_ = ray_.origin;
+    }
+
+    Sample run() {
+        while (extend()) {
+        }
+        return result_;
+    }
+
+private:
+    /// Follows the ray to the next surface. False where the path ends.
+    bool extend() {
+        ++result_.rays;
+        const std::optional<Hit> hit = tracer_.geometry_.closest(ray_);
+        if (!hit) {
+            addBackground();
+            return false;
+        }
+        const Surface surface = tracer_.geometry_.surface(*hit, ray_);
+        if (passesThrough(surface)) {
+            ray_.origin = leave(surface, ray_.direction);
+            return true;
+        }
+        addEmitted(surface);
+        return bounce_ < tracer_.maxBounces_ && scatter(surface);
+    }
+
+    /// The share of light found at the ray's end that is this strategy's, where a light sample
+    /// would have found it with the density `lightPdf`.
+    double foundWeight(double lightPdf) const {
+        return bounce_ == 0 ? 1.0 : powerHeuristic(bsdfPdf_, lightPdf);
+    }
+
+    void addBackground() {
+        if (const Light* light = tracer_.lights_.background())
+            result_.radiance +=
+                throughput_ * light->radiance * foundWeight(light->chance / (4.0 * kPi));
+    }
+
+    void addEmitted(const Surface& surface) {
+        const Light* light = tracer_.lights_.ofPrimitive(surface.primitive);
+        if (!light)
+            return;
+        const double pdf = tracer_.lights_.pdf(*light, vertex_, surface.position, surface.ng);
+        result_.radiance += throughput_ * light->emitted(surface.ng, -ray_.direction) *
+                            foundWeight(pdf * light->chance);
+    }
+
+    bool passesThrough(const Surface& surface) const {
+        const Light* light = tracer_.lights_.ofPrimitive(surface.primitive);
+        if (bounce_ == 0 && light && light->isHiddenFromCamera)
+            return true;
+        const Material& material = tracer_.scene_.materials[surface.material];
+        if (!isTransparent(material))
+            return false;
+        const uint32_t fromBehind = glm::dot(ray_.direction, surface.ng) > 0.0 ? 1 : 0;
+        const double u = alphaNumber(id_, bounce_, 2 * surface.primitive + fromBehind);
+        return u >= alphaAt(material, tracer_.scene_.textures, surface.uv);
+    }
+
+    /// Lights the surface and sends the path on. False where it ends.
+    bool scatter(const Surface& surface) {
+        const Material& material = tracer_.scene_.materials[surface.material];
+        const Bsdf bsdf(material, tracer_.scene_.textures, surface, -ray_.direction);
+        const glm::dvec3 origin = offsetFrom(surface.position + surface.toSmooth, bsdf.ng());
+        if (!tracer_.lights_.empty() && !bsdf.isSpecular())
+            result_.radiance += throughput_ * directLight(surface, bsdf, origin);
+        const glm::dvec4 u = bounceNumbers(id_, bounce_, BounceDimension::Bsdf);
+        const Bsdf::Sample scattered = bsdf.sample(glm::dvec3(u));
+        throughput_ *= scattered.weight;
+        vertex_ = scattered.crosses ? offsetFrom(surface.position, -bsdf.ng()) : origin;
+        ray_ = {vertex_, scattered.wi};
+        bsdfPdf_ = scattered.pdf;
+        ++bounce_;
+        return greatest(throughput_) > 0.0;
+    }
+
+    /// Whether all of the surface's own primitive lies in or below its plane there, as it does but
+    /// within a closed quadric.
+    bool isConvexTowards(const Surface& surface, const glm::dvec3& viewerSide) const {
+        const PrimitiveName name = tracer_.geometry_.primitive(surface.primitive);
+        const auto& shape = tracer_.scene_.shapes[name.shape].geometry;
+        const bool isFlat =
+            std::holds_alternative<Mesh>(shape) || std::holds_alternative<Disk>(shape);
+        return isFlat || glm::dot(viewerSide, surface.ng) > 0.0;
+    }
+
+    /// Light from one point of one light, scattered towards the viewer.
+    glm::dvec3 directLight(const Surface& surface, const Bsdf& bsdf, const glm::dvec3& origin) {
+        const glm::dvec4 u = bounceNumbers(id_, bounce_, BounceDimension::Light);
+        const Light& light = tracer_.lights_.choose(glm::dvec2(u.x, u.y));
+        if (light.primitive == surface.primitive && isConvexTowards(surface, bsdf.ng()))
+            return glm::dvec3(0.0);
+        const LightSample point = tracer_.lights_.sample(light, origin, glm::dvec2(u.z, u.w));
+        if (point.pdf <= 0.0)
+            return glm::dvec3(0.0);
+        const Ray ray = rayTowards(light, point, origin);
+        const Bsdf::Value scattered = bsdf.evaluate(ray.direction);
+        const glm::dvec3 radiance = scattered.value * arrivingRadiance(light, point, ray);
+        if (greatest(radiance) <= 0.0)
+            return glm::dvec3(0.0);
+        const double pdf = point.pdf * light.chance;
+        return radiance * (transmittance(ray, light) * powerHeuristic(pdf, scattered.pdf) / pdf);
+    }
+
+    static Ray rayTowards(const Light& light, const LightSample& point, const glm::dvec3& origin) {
+        if (!light.primitive)
+            return {origin, point.position};
+        const double side = glm::dot(origin - point.position, point.normal) < 0.0 ? -1.0 : 1.0;
+        const glm::dvec3 way = offsetFrom(point.position, side * point.normal) - origin;
+        return {origin, glm::normalize(way), glm::length(way)};
+    }
+
+    /// What the light sends back along the ray, with its own cut-outs.
+    glm::dvec3 arrivingRadiance(const Light& light, const LightSample& point,
+                                const Ray& ray) const {
+        if (!light.primitive)
+            return light.radiance;
+        const Material& material = tracer_.materialOf(*light.primitive);
+        const glm::dvec3 radiance = light.emitted(point.normal, -ray.direction);
+        if (!isTransparent(material))
+            return radiance;
+        // The surface at the point is what a ray straight down to it meets.
+        const Ray down{point.position + point.normal, -point.normal};
+        const Surface surface = tracer_.geometry_.surface({1.0, *light.primitive}, down);
+        return radiance * alphaAt(material, tracer_.scene_.textures, surface.uv);
+    }
+
+    /// The share of light that comes along the ray from its end: the product of 1 - alpha over all
+    /// surfaces but the light's own.
+    double transmittance(Ray ray, const Light& light) {
+        const glm::dvec3 end = ray.origin + ray.length * ray.direction;
+        double share = 1.0;
+        while (share > 0.0) {
+            ++result_.rays;
+            const std::optional<Hit> hit = tracer_.geometry_.closest(ray);
+            if (!hit)
+                break;
+            const Surface surface = tracer_.geometry_.surface(*hit, ray);
+            if (surface.primitive != light.primitive)
+                share *= 1.0 - opacityAt(surface);
+            ray.origin = leave(surface, ray.direction);
+            if (light.primitive)
+                ray.length = glm::dot(end - ray.origin, ray.direction);
+        }
+        return share;
+    }
+
+    double opacityAt(const Surface& surface) const {
+        const Material& material = tracer_.scene_.materials[surface.material];
+        return alphaAt(material, tracer_.scene_.textures, surface.uv);
+    }
+
+    const ReferenceTracer& tracer_;
+    SampleId id_;
+    Ray ray_;
+    glm::dvec3 vertex_{0.0}; ///< where the last event sent the ray from
+    glm::dvec3 throughput_{1.0};
+    uint32_t bounce_ = 0;
+    double bsdfPdf_ = 0.0; ///< with which the ray's direction was chosen, per solid angle
+    Sample result_;
+};
+
+ReferenceTracer::ReferenceTracer(const Scene& scene, const glm::uvec2& imageSize,
+                                 uint32_t maxBounces)
+    : scene_(scene), imageSize_(imageSize), maxBounces_(maxBounces), geometry_(scene),
+      lights_(scene, geometry_) {}
+
+const Material& ReferenceTracer::materialOf(uint32_t primitive) const {
+    return scene_.materials[geometry_.materialOf(primitive)];
+}
+
+ReferenceTracer::Sample ReferenceTracer::trace(const SampleId& id) const {
+    return Walk(*this, id).run();
+}
+
+FirstHit ReferenceTracer::firstHitAt(const glm::dvec2& filmPosition) const {
+    const glm::dvec2 lensCentre(0.0);
+    Ray ray = cameraRay(scene_.camera, imageSize_, filmPosition, lensCentre);
+    const glm::dvec3 start = ray.origin;
+    while (const std::optional<Hit> hit = geometry_.closest(ray)) {
+        const Surface surface = geometry_.surface(*hit, ray);
+        const Light* light = lights_.ofPrimitive(surface.primitive);
+        const Material& material = scene_.materials[surface.material];
+        const bool isSeen = !(light && light->isHiddenFromCamera) &&
+                            alphaAt(material, scene_.textures, surface.uv) >= 0.5;
+        if (!isSeen) {
+            ray.origin = leave(surface, ray.direction);
+            continue;
+        }
+        const double side = glm::dot(ray.direction, surface.ng) > 0.0 ? -1.0 : 1.0;
+        const bool isClear = material.type == MaterialType::Dielectric;
+        FirstHit first;
+        first.albedo =
+            isClear ? glm::vec3(1.0f) : glm::vec3(colorAt(material, scene_.textures, surface.uv));
+        first.normal = glm::vec3(side * shadingNormal(material, scene_.textures, surface));
+        first.position = glm::vec3(surface.position);
+        first.depth = static_cast<float>(glm::dot(surface.position - start, scene_.camera.forward));
+        first.primitive = surface.primitive;
+        first.uv = glm::vec2(surface.uv);
+        return first;
+    }
+    return {};
+}
+
+} // namespace calotype::reference

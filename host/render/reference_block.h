@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "reference/reference_tracer.h"
+#include "render/block_tracer.h"
+#include "render/render_settings.h"
+
+namespace calotype {
+
+/// Blocks of samples by the reference tracer, on threads of the CPU.
+class ReferenceBlock : public BlockTracer {
+public:
+    /// `threads` is 1 at least. The tracer must outlive this.
+    ReferenceBlock(const reference::ReferenceTracer& tracer, const RenderSettings& settings,
+                   uint32_t threads);
+
+    uint32_t tileCount() const override;
+    void beginBlock(uint32_t firstSample) override;
+    gpu::RenderCounters renderTiles(TileRange tiles, uint32_t sampleEnd) override;
+    std::span<const glm::vec4> readBlock() override;
+
+private:
+    struct Pixel {
+        glm::dvec3 sum{0.0};
+        uint32_t sampleCount = 0;
+    };
+
+    gpu::RenderCounters renderTile(uint32_t tile, uint32_t sampleEnd);
+    gpu::RenderCounters renderPixel(glm::uvec2 position, uint32_t sampleEnd);
+
+    const reference::ReferenceTracer& tracer_;
+    RenderSettings settings_;
+    uint32_t threads_;
+    uint32_t firstSample_ = 0;
+    std::vector<Pixel> pixels_;
+    std::vector<glm::vec4> block_;
+};
+
+} // namespace calotype

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "math/bounds.h"
+#include "scene/scene.h"
+
+namespace calotype {
+
+/// Exact bounds of a shape, in the world.
+Bounds3d shapeBounds(const Shape& shape);
+
+/// Of all shapes; empty where there are none.
+Bounds3d sceneBounds(const Scene& scene);
+
+} // namespace calotype

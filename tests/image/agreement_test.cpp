@@ -1,0 +1,165 @@
+// The device against the reference tracer, path by path and in the mean.
+#include <algorithm>
+#include <iostream>
+
+#include <glm/common.hpp>
+
+#include "image/judged_scenes.h"
+#include "reference/reference_tracer.h"
+#include "render/reference_block.h"
+#include "support/agreement.h"
+#include "support/chi_square.h"
+#include "support/device_tracer.h"
+#include "support/gpu_test.h"
+#include "support/render_scene.h"
+
+namespace calotype::test {
+namespace {
+
+constexpr uint32_t kThreads = 2;
+constexpr uint32_t kSeed = 7;
+
+/// A scene for both tracers, as a square picture.
+class Judged {
+public:
+    Judged(const Scene& scene, uint32_t side)
+        : settings_(settingsFor(scene, side)),
+          reference_(scene, {side, side}, settings_.maxBounces),
+          block_(reference_, settings_, kThreads), device_(scene, settings_) {}
+
+    BlockTracer& reference() { return block_; }
+    BlockTracer& device() { return device_.tracer(); }
+
+    TileMeans referenceMeans(size_t blocks) { return means(block_, blocks); }
+    TileMeans deviceMeans(size_t blocks) { return means(device_.tracer(), blocks); }
+
+    static RenderSettings settingsFor(const Scene& scene, uint32_t side) {
+        RenderSettings settings;
+        settings.width = side;
+        settings.height = side;
+        settings.crop = {0, 0, side, side};
+        settings.maxBounces = scene.render.maxBounces;
+        settings.seed = kSeed;
+        return settings;
+    }
+
+private:
+    TileMeans means(BlockTracer& tracer, size_t blocks) {
+        return renderTileMeans(tracer, settings_.width, settings_.height, blocks);
+    }
+
+    RenderSettings settings_;
+    reference::ReferenceTracer reference_;
+    ReferenceBlock block_;
+    DeviceTracer device_;
+};
+
+/// The device's picture from other random numbers.
+TileMeans independentMeans(const Scene& scene, uint32_t side, size_t blocks) {
+    RenderSettings settings = Judged::settingsFor(scene, side);
+    settings.seed = kSeed + 1;
+    DeviceTracer device(scene, settings);
+    return renderTileMeans(device.tracer(), side, side, blocks);
+}
+
+double largest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
+
+class AgreementTest : public GpuTest, public testing::WithParamInterface<JudgedScene> {
+protected:
+    Scene scene_ = projectScene(GetParam().path);
+};
+
+/// One sample of every pixel.
+std::vector<glm::vec4> firstSamples(BlockTracer& tracer) {
+    tracer.beginBlock(0);
+    tracer.renderTiles({0, tracer.tileCount()}, 1);
+    const std::span<const glm::vec4> sums = tracer.readBlock();
+    return {sums.begin(), sums.end()};
+}
+
+// Paths from the same random numbers are the same but where rounding tips a decision: which of two
+// lights, lobes or surfaces a number or a ray at their very border falls to.
+TEST_P(AgreementTest, PathsAreTheSame) {
+    constexpr uint32_t kSide = 96;
+    constexpr double kMostDiffering = 0.005; // share of the pixels
+    Judged judged(scene_, kSide);
+    const auto reference = firstSamples(judged.reference());
+    const auto device = firstSamples(judged.device());
+    size_t differing = 0;
+    for (size_t i = 0; i < reference.size(); ++i) {
+        const glm::dvec3 expected(reference[i]);
+        const double difference = largest(glm::abs(glm::dvec3(device[i]) - expected));
+        differing += difference > 1e-3 * std::max(1.0, largest(expected)) ? 1 : 0;
+    }
+    const double share = static_cast<double>(differing) / (kSide * kSide);
+    EXPECT_LE(share, kMostDiffering);
+    std::cout << "differ by more than 1e-3: " << 100.0 * share << " %\n";
+}
+
+// The same random numbers: what differs is arithmetic, and it has no bias.
+TEST_P(AgreementTest, MeansOfTheSamePathsAreEqual) {
+    constexpr uint32_t kSide = 32;
+    constexpr size_t kBlocks = 32;
+    constexpr double kBound = 1e-4; // relative
+    Judged judged(scene_, kSide);
+    const PairedDifference difference =
+        comparePaired(judged.deviceMeans(kBlocks), judged.referenceMeans(kBlocks));
+    for (int channel = 0; channel < 3; ++channel)
+        EXPECT_NEAR(difference.relative[channel], 0.0, kBound) << "channel " << channel;
+    std::cout << "relative difference " << largest(glm::abs(difference.relative)) << " +- "
+              << largest(difference.standardError) << "\n";
+}
+
+void expectAgreement(const Agreement& agreement) {
+    for (int channel = 0; channel < 3; ++channel) {
+        EXPECT_LT(std::abs(agreement.wholeZ[channel]), normalLimit(3)) << "channel " << channel;
+        EXPECT_LT(agreement.tileChiSquare[channel], chiSquareLimit(agreement.tiles))
+            << "channel " << channel;
+    }
+    EXPECT_LT(agreement.greatestTileZ, normalLimit(3 * agreement.tiles));
+}
+
+// Independent random numbers: as a stranger would compare two renderers.
+TEST_P(AgreementTest, PicturesOfOtherPathsAgree) {
+    constexpr uint32_t kSide = 32;
+    constexpr size_t kBlocks = 32;
+    Judged judged(scene_, kSide);
+    const Agreement agreement = compareIndependent(independentMeans(scene_, kSide, kBlocks),
+                                                   judged.referenceMeans(kBlocks));
+    expectAgreement(agreement);
+    const glm::dvec3 z = glm::abs(agreement.wholeZ);
+    std::cout << "|z| of the picture " << largest(z) << ", of its tiles up to "
+              << agreement.greatestTileZ << ", chi-square by tile "
+              << largest(agreement.tileChiSquare) / static_cast<double>(agreement.tiles) << "\n";
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, AgreementTest, testing::ValuesIn(kJudgedScenes),
+                         [](const auto& scene) { return std::string(scene.param.name); });
+
+using PlantedBiasTest = GpuTest;
+
+/// Smooth: no small light, hardly any gloss.
+Scene smoothScene() { return projectScene("scenes/background.json"); }
+
+// A light that is brighter by 0.2 % in one channel is told from the same light by the test above.
+TEST_F(PlantedBiasTest, OfAFiveHundredthIsCaughtInEveryChannel) {
+    constexpr uint32_t kSide = 48;
+    constexpr size_t kBlocks = 64;
+    const Scene honest = smoothScene();
+    const TileMeans expected = Judged(honest, kSide).referenceMeans(kBlocks);
+    expectAgreement(compareIndependent(independentMeans(honest, kSide, kBlocks), expected));
+    for (int channel = 0; channel < 3; ++channel) {
+        Scene biased = honest;
+        biased.background[channel] *= 1.002;
+        for (Material& material : biased.materials)
+            material.emission[channel] *= 1.002;
+        const Agreement agreement =
+            compareIndependent(independentMeans(biased, kSide, kBlocks), expected);
+        EXPECT_GT(std::abs(agreement.wholeZ[channel]), normalLimit(3)) << "channel " << channel;
+        std::cout << "channel " << channel << ": |z| " << std::abs(agreement.wholeZ[channel])
+                  << ", limit " << normalLimit(3) << "\n";
+    }
+}
+
+} // namespace
+} // namespace calotype::test

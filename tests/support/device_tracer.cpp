@@ -1,0 +1,23 @@
+#include "support/device_tracer.h"
+
+#include "accel/median_split.h"
+#include "support/gpu_test.h"
+
+namespace calotype::test {
+namespace {
+
+GpuScene pack(const Scene& scene, const RenderSettings& settings) {
+    const glm::dvec3 origin = packingOrigin(scene);
+    const auto primitives = collectPrimitives(scene, origin);
+    return packScene(scene, primitives, buildMedianSplit(primitives), origin,
+                     static_cast<double>(settings.width) / settings.height);
+}
+
+} // namespace
+
+DeviceTracer::DeviceTracer(const Scene& scene, const RenderSettings& settings,
+                           const std::optional<SceneFeatures>& features)
+    : packed_(pack(scene, settings)), buffers_(testDevice(), packed_),
+      tracer_(testDevice(), packed_, buffers_, features.value_or(packed_.features), settings) {}
+
+} // namespace calotype::test

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+
+#include "pack/gpu_scene.h"
+#include "render/path_tracer.h"
+#include "render/scene_buffers.h"
+#include "scene/scene.h"
+
+namespace calotype::test {
+
+/// A scene packed for the test device, with the kernel that renders it.
+class DeviceTracer {
+public:
+    /// `features` are those that the scene needs, unless given.
+    DeviceTracer(const Scene& scene, const RenderSettings& settings,
+                 const std::optional<SceneFeatures>& features = std::nullopt);
+
+    PathTracer& tracer() { return tracer_; }
+    const GpuScene& packed() const { return packed_; }
+
+private:
+    GpuScene packed_;
+    SceneBuffers buffers_;
+    PathTracer tracer_;
+};
+
+} // namespace calotype::test
