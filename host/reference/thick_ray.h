@@ -24,8 +24,10 @@ public:
         const glm::dvec3 halfWidth(kSurfaceTolerance * magnitude);
         upperSide_ = ray.origin + halfWidth;
         lowerSide_ = ray.origin - halfWidth;
-        for (int axis = 0; axis < 3; ++axis)
-            inverse_[axis] = 1.0 / movement(ray.direction[axis]);
+        // Infinite where the ray does not move: then all planes lie infinitely far before or
+        // behind. One exactly at a side gives no number, and either answer will do: it is not
+        // reached.
+        inverse_ = 1.0 / ray.direction;
     }
 
     /// Whether part of the ray up to t = `reach` lies in the box.
@@ -39,14 +41,6 @@ public:
     }
 
 private:
-    /// A ray that does not move along an axis moves by next to nothing, 1e-300 metres a metre, so
-    /// that its inverse is finite, and 0 times it is 0.
-    static double movement(double component) {
-        constexpr double kNextToNothing = 1e-300;
-        return std::abs(component) > kNextToNothing ? component
-                                                    : std::copysign(kNextToNothing, component);
-    }
-
     glm::dvec3 upperSide_;
     glm::dvec3 lowerSide_;
     glm::dvec3 inverse_;

@@ -163,6 +163,28 @@ TEST(ReferenceCone, IsMetAtItsApexAndHasNoMirrorImage) {
     }
 }
 
+TEST(ReferenceCone, IsEnteredByEverySteepRayThroughItsApex) {
+    RandomNumbers random(4);
+    for (int i = 0; i < 10000; ++i) {
+        const double slope = random.powerOfTen(-2.0, 2.0);
+        const Shape cone = shapeOf(Cone{{someRotation(random), {}}, 1.0, slope});
+        const double phi = 2.0 * std::numbers::pi * random.unit();
+        const double lean = 0.9 * slope * random.unit();
+        const glm::dvec3 direction = frameOf(cone).direction(
+            glm::normalize(glm::dvec3(lean * std::cos(phi), 1.0, lean * std::sin(phi))));
+        const double distance = random.powerOfTen(-3.0, 3.0);
+        // The apex is missed by some roundings of the distance; the side is met that much later,
+        // over the angle to it, at least a twentieth of the lesser of slope and its inverse.
+        const double tolerance = kRoundings * distance * 20.0 * std::max(slope, 1.0 / slope);
+        ASSERT_NEAR(distanceTo(cone, -distance * direction, direction), distance, tolerance);
+        // From the apex itself, to the base or away. The direction's part along the axis, 1 /
+        // toBase, is rounded as coarsely as its length, 1.
+        const double toBase = std::hypot(1.0, lean);
+        ASSERT_NEAR(distanceTo(cone, {}, direction), toBase, kRoundings * toBase * toBase);
+        ASSERT_EQ(distanceTo(cone, {}, -direction), kNever);
+    }
+}
+
 TEST(ReferenceCone, FarAwayKeepsRaysAlongItsSideExact) {
     // From a million sizes away, in the direction of a line of the side but for a little.
     RandomNumbers random(3);

@@ -215,6 +215,17 @@ TEST(ReferenceSmoothNormals, CurveTheSurfaceTowardsTheSideWhereItIsConvex) {
     }
 }
 
+TEST(ReferenceSmoothNormals, OfASaddleCurveItByTheConvexCornersOnly) {
+    Mesh mesh = leaningTriangle(0.5, 1.0);
+    // The middle of the edge lies below the plane of the corner at x = 1, and above the other's.
+    mesh.normals[0] = glm::normalize(glm::dvec3(1, 4, 0));
+    mesh.normals[1] = glm::normalize(glm::dvec3(1, 4, 0));
+    const Scene scene = sceneOf({shapeOf(mesh)});
+    const Surface surface = surfaceAt(Geometry(scene), {0, 0, 0}, {0, -1, 0});
+    EXPECT_LT(glm::distance(surface.toSmooth, 0.5 * glm::dvec3(1, 4, 0) / 17.0), 1e-15);
+    EXPECT_EQ(surface.horizon, surface.ns);
+}
+
 TEST(ReferenceSmoothNormals, LeaveFlatTrianglesFlat) {
     Mesh mesh = leaningTriangle(0.0, 1.0);
     for (const bool hasNormals : {true, false}) {
