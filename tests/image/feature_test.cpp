@@ -1,7 +1,9 @@
 // Specialising only removes code: for every feature alone, the kernel made for a scene that needs
-// it and the kernel for everything render the same picture, bit for bit.
+// it and the kernel for everything render the same picture, bit for bit; and without the feature
+// the picture is another.
 #include <functional>
 #include <memory>
+#include <set>
 
 #include "image/scene_builder.h"
 #include "support/gpu_test.h"
@@ -49,6 +51,7 @@ Material ofType(MaterialType type) {
     material.type = type;
     material.color = {0.8, 0.6, 0.4};
     material.roughness = 0.3;
+    material.specular = 0.5;
     material.kd = 0.5;
     material.ks = 0.3;
     material.exponent = 30.0;
@@ -112,28 +115,40 @@ void hideLamp(Scene& scene) {
     scene.camera.up = {0.0, 0.0, -1.0};
 }
 
+void darken(Scene& scene) {
+    for (Material& material : scene.materials)
+        material.emission = glm::dvec3(0.0);
+}
+
+void darkenDisk(Scene& scene) { scene.materials.back().emission = glm::dvec3(0.0); }
+
 struct FeatureCase {
     uint32_t feature;
     const char* name;
     Change change;
+    /// Takes the feature from the scene, where a kernel without it would take what it finds there
+    /// for something else, and read beyond its buffers.
+    std::function<void(Scene&)> removal = {};
 };
 
 const FeatureCase kCases[] = {
-    {gpu::kFeatureTriangles, "Triangles", camera([](Scene&) {})},
+    {gpu::kFeatureTriangles, "Triangles", camera([](Scene&) {}),
+     [](Scene& scene) { scene.shapes.clear(); }},
     {gpu::kFeatureSmoothNormals, "SmoothNormals", addSmoothTriangle},
     {gpu::kFeatureSpheres, "Spheres", shape(kBall)},
     {gpu::kFeatureCylinders, "Cylinders", shape(kCan)},
     {gpu::kFeatureCones, "Cones", shape(kHat)},
     {gpu::kFeatureDisks, "Disks", shape(kPlate)},
-    {gpu::kFeatureTriangleLights, "TriangleLights", camera([](Scene&) {})},
+    {gpu::kFeatureTriangleLights, "TriangleLights", camera([](Scene&) {}), darken},
     {gpu::kFeatureSphereLights, "SphereLights", light(kBall)},
     {gpu::kFeatureCylinderLights, "CylinderLights", light(kCan)},
     {gpu::kFeatureConeLights, "ConeLights", light(kHat)},
-    {gpu::kFeatureDiskLights, "DiskLights", light(kPlate)},
+    {gpu::kFeatureDiskLights, "DiskLights", light(kPlate), darkenDisk},
     {gpu::kFeatureHiddenLights, "HiddenLights", camera(hideLamp)},
     {gpu::kFeatureBackground, "Background", camera([](Scene& scene) {
          scene.background = {0.3, 0.4, 0.5};
-     })},
+     }),
+     [](Scene& scene) { scene.background = glm::dvec3(0.0); }},
     {gpu::kFeatureDiffuse, "Diffuse", camera([](Scene&) {})},
     {gpu::kFeatureGgx, "Ggx", ball(ofType(MaterialType::Nonmetal))},
     {gpu::kFeatureMirrors, "Mirrors",
@@ -148,8 +163,10 @@ const FeatureCase kCases[] = {
     {gpu::kFeatureDielectrics, "Dielectrics", ball(ofType(MaterialType::Dielectric))},
     {gpu::kFeatureColorTextures, "ColorTextures",
      floorTexture(&Material::colorTexture, noiseTexture(false))},
-    {gpu::kFeatureScalarTextures, "ScalarTextures",
+    {gpu::kFeatureScalarTextures, "RoughnessTextures",
      floorTexture(&Material::roughnessTexture, noiseTexture(false), MaterialType::Nonmetal)},
+    {gpu::kFeatureScalarTextures, "SpecularTextures",
+     floorTexture(&Material::specularTexture, noiseTexture(false), MaterialType::Nonmetal)},
     {gpu::kFeatureNormalMaps, "NormalMaps",
      floorTexture(&Material::normalMap, noiseTexture(false), MaterialType::Metal)},
     {gpu::kFeatureAlpha, "Alpha", floorTexture(&Material::alphaTexture, noiseTexture(false, true))},
@@ -159,7 +176,8 @@ const FeatureCase kCases[] = {
      floorTexture(&Material::colorTexture, noiseTexture(true))},
     {gpu::kFeatureCheckers, "Checkers",
      floorTexture(&Material::colorTexture,
-                  {"checker", CheckerTexture{{glm::dvec3(0.2), glm::dvec3(0.9)}}, {8.0, 8.0}})},
+                  {"checker", CheckerTexture{{glm::dvec3(0.2), glm::dvec3(0.9)}}, {8.0, 8.0}}),
+     [](Scene& scene) { scene.materials[kFloor].colorTexture = Material::kNoTexture; }},
     {gpu::kFeatureFilter, "Filter",
      camera([](Scene& scene) { scene.film.filter = FilmFilter::BlackmanHarris; })},
     {gpu::kFeatureLens, "Lens", camera([](Scene& scene) {
@@ -174,7 +192,20 @@ const FeatureCase kCases[] = {
          scene.camera.up = {0.0, 0.6, -0.8};
      })},
 };
-static_assert(std::size(kCases) == gpu::kFeatureCount);
+
+TEST(FeatureCases, CoverEveryFeature) {
+    std::set<uint32_t> covered;
+    for (const FeatureCase& featureCase : kCases)
+        covered.insert(featureCase.feature);
+    EXPECT_EQ(covered.size(), gpu::kFeatureCount);
+}
+
+size_t differentPixels(const Image& a, const Image& b) {
+    size_t count = 0;
+    for (size_t i = 0; i < a.pixels.size(); ++i)
+        count += a.pixels[i] == b.pixels[i] ? 0 : 1;
+    return count;
+}
 
 class FeatureTest : public GpuTest, public testing::WithParamInterface<FeatureCase> {};
 
@@ -187,14 +218,26 @@ TEST_P(FeatureTest, SpecialisedKernelEqualsEverythingOn) {
     wish.features = SceneFeatures::all();
     const RenderedScene everything = renderScene(builder.scene(), wish);
     ASSERT_NE(specialised.needed.enabled, wish.features->enabled);
-    size_t different = 0;
-    size_t lit = 0;
-    for (size_t i = 0; i < specialised.image.pixels.size(); ++i) {
-        different += specialised.image.pixels[i] == everything.image.pixels[i] ? 0 : 1;
-        lit += specialised.image.pixels[i].x > 0.0f ? 1 : 0;
+    const auto& pixels = specialised.image.pixels;
+    EXPECT_EQ(differentPixels(specialised.image, everything.image), 0u);
+    const auto lit = std::ranges::count_if(pixels, [](const auto& p) { return p.x > 0.0f; });
+    EXPECT_GT(static_cast<size_t>(lit), pixels.size() / 4);
+}
+
+// In a twentieth of the pixels: what the feature does is not lost in a corner.
+TEST_P(FeatureTest, ChangesThePicture) {
+    SceneBuilder builder = litFloor();
+    GetParam().change(builder);
+    const RenderedScene with = renderScene(builder.scene());
+    RenderWish wish;
+    if (GetParam().removal) {
+        GetParam().removal(builder.scene());
+    } else {
+        wish.features = SceneFeatures::all();
+        wish.features->enabled[GetParam().feature] = false;
     }
-    EXPECT_EQ(different, 0u);
-    EXPECT_GT(lit, specialised.image.pixels.size() / 4);
+    const RenderedScene without = renderScene(builder.scene(), wish);
+    EXPECT_GT(differentPixels(with.image, without.image), with.image.pixels.size() / 20);
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryOne, FeatureTest, testing::ValuesIn(kCases),
