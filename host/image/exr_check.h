@@ -1,0 +1,12 @@
+#pragma once
+
+#include <filesystem>
+
+namespace calotype {
+
+/// A look at an EXR file's header before OpenEXR's classes allocate memory by it in good faith.
+/// Throws SceneError for attributes longer than the file, sides above 65,535 pixels, chunks (blocks
+/// of rows, or tiles) above 256 MiB, more chunks than the file has room for, and deep pixels.
+void checkExr(const std::filesystem::path& path);
+
+} // namespace calotype
