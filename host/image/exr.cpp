@@ -20,6 +20,7 @@
 #include "base/atomic_file.h"
 #include "base/check.h"
 #include "base/error.h"
+#include "image/exr_check.h"
 
 namespace calotype {
 namespace {
@@ -128,15 +129,24 @@ void writeExr(const std::filesystem::path& path, const Image& image, const ExrMe
 
 Image readExr(const std::filesystem::path& path) {
     try {
+        checkExr(path);
         Imf::InputFile file(path.c_str());
         requireColourChannels(file.header(), path.string());
         const Imath::Box2i window = file.header().dataWindow();
         const auto size = [](int first, int last) {
             return static_cast<uint32_t>(int64_t{last} - first + 1);
         };
-        Image image(size(window.min.x, window.max.x), size(window.min.y, window.max.y));
-        file.setFrameBuffer(frameBuffer(image, window));
-        file.readPixels(window.min.y, window.max.y);
+        Image image;
+        image.width = size(window.min.x, window.max.x);
+        image.height = size(window.min.y, window.max.y);
+        // Memory follows what was decoded, for a small file can claim any size.
+        constexpr int kRows = 64; // 50 MB at most; whole tiles and blocks of most files
+        for (int y = window.min.y; y <= window.max.y; y += kRows) {
+            const int last = std::min(window.max.y, y + kRows - 1);
+            image.pixels.resize(image.width * size_t{size(window.min.y, last)});
+            file.setFrameBuffer(frameBuffer(image, window));
+            file.readPixels(y, last);
+        }
         return image;
     } catch (const Error&) {
         throw;

@@ -1,52 +1,115 @@
 #include "image/exr_check.h"
 
-#include <exception>
+#include <algorithm>
+#include <cstdint>
+#include <memory>
 #include <string>
-#include <vector>
 
-#include <OpenEXR/ImfFrameBuffer.h>
-#include <OpenEXR/ImfHeader.h>
-#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/openexr.h>
+
+#include "base/error.h"
 
 namespace calotype {
 namespace {
 
-constexpr std::string_view kSignature = "\x76\x2f\x31\x01";
+/// As a scene's film.
+constexpr int kLargestSide = 65535;
+/// Twenty channels of float in blocks of 32 rows of the longest side, or in tiles of 1024 x 1024.
+constexpr uint64_t kLargestChunk = uint64_t{256} << 20;
+/// In the table of chunks.
+constexpr uint64_t kBytesPerOffset = 8;
 
-ImageSize sizeOf(const Imath::Box2i& window) {
-    const auto side = [](int first, int last) {
-        return static_cast<uint32_t>(int64_t{last} - first + 1);
+/// Reads no more than headers: the functions of OpenEXR's core check all sizes against the file's.
+class ExrHeader {
+public:
+    explicit ExrHeader(const std::filesystem::path& path) : where_(path.string()) {
+        exr_context_initializer_t options = EXR_DEFAULT_CONTEXT_INITIALIZER;
+        options.error_handler_fn = [](exr_const_context_t, exr_result_t, const char*) {};
+        options.flags = EXR_CONTEXT_FLAG_STRICT_HEADER;
+        options.max_image_width = kLargestSide;
+        options.max_image_height = kLargestSide;
+        options.max_tile_width = kLargestSide;
+        options.max_tile_height = kLargestSide;
+        exr_context_t context = nullptr;
+        const exr_result_t result = exr_start_read(&context, path.c_str(), &options);
+        context_.reset(context);
+        require(result);
+    }
+
+    [[noreturn]] void fail(const std::string& problem) const {
+        throw SceneError(where_, "the EXR file cannot be read: " + problem);
+    }
+
+    bool isDeep() const {
+        exr_storage_t storage = EXR_STORAGE_SCANLINE;
+        require(exr_get_storage(context_.get(), kPart, &storage));
+        return storage == EXR_STORAGE_DEEP_SCANLINE || storage == EXR_STORAGE_DEEP_TILED;
+    }
+
+    uint64_t chunkCount() const {
+        int32_t count = 0;
+        require(exr_get_chunk_count(context_.get(), kPart, &count));
+        return static_cast<uint64_t>(std::max(count, 0));
+    }
+
+    /// In bytes, decompressed.
+    uint64_t chunkSize() const { return chunkPixels() * bytesPerPixel(); }
+
+private:
+    static constexpr int kPart = 0; // the one that is read
+
+    struct Finish {
+        void operator()(exr_context_t context) const { exr_finish(&context); }
     };
-    return {side(window.min.x, window.max.x), side(window.min.y, window.max.y)};
-}
 
-void readLastRow(Imf::InputFile& file, uint32_t width) {
-    Imath::Box2i row = file.header().dataWindow();
-    row.min.y = row.max.y;
-    std::vector<float> red(width);
-    Imf::FrameBuffer buffer;
-    buffer.insert("R", Imf::Slice::Make(Imf::FLOAT, red.data(), row));
-    file.setFrameBuffer(buffer);
-    file.readPixels(row.max.y);
-}
+    void require(exr_result_t result) const {
+        if (result != EXR_ERR_SUCCESS)
+            fail(exr_get_default_error_message(result));
+    }
+
+    uint64_t chunkPixels() const {
+        exr_storage_t storage = EXR_STORAGE_SCANLINE;
+        require(exr_get_storage(context_.get(), kPart, &storage));
+        if (storage == EXR_STORAGE_TILED) {
+            uint32_t width = 0;
+            uint32_t height = 0;
+            exr_tile_level_mode_t level{};
+            exr_tile_round_mode_t round{};
+            require(
+                exr_get_tile_descriptor(context_.get(), kPart, &width, &height, &level, &round));
+            return uint64_t{width} * height;
+        }
+        exr_attr_box2i_t window{};
+        int32_t rows = 0;
+        require(exr_get_data_window(context_.get(), kPart, &window));
+        require(exr_get_scanlines_per_chunk(context_.get(), kPart, &rows));
+        return static_cast<uint64_t>(int64_t{window.max.x} - window.min.x + 1) *
+               static_cast<uint64_t>(rows);
+    }
+
+    uint64_t bytesPerPixel() const {
+        const exr_attr_chlist_t* channels = nullptr;
+        require(exr_get_channels(context_.get(), kPart, &channels));
+        uint64_t bytes = 0;
+        for (int i = 0; i < channels->num_channels; ++i)
+            bytes += channels->entries[i].pixel_type == EXR_PIXEL_HALF ? 2 : 4;
+        return bytes;
+    }
+
+    std::string where_;
+    std::unique_ptr<_priv_exr_context_t, Finish> context_;
+};
 
 } // namespace
 
-bool isExr(std::string_view file) { return file.starts_with(kSignature); }
-
-ImageSize checkExr(const std::filesystem::path& path, uint32_t largestSide) {
-    try {
-        Imf::InputFile file(path.c_str());
-        const ImageSize size = sizeOf(file.header().dataWindow());
-        checkSize(size, largestSide, path.string());
-        readLastRow(file, size.width);
-        return size;
-    } catch (const Error&) {
-        throw;
-    } catch (const std::exception& error) {
-        throw SceneError(path.string(),
-                         std::string("the EXR file cannot be read: ") + error.what());
-    }
+void checkExr(const std::filesystem::path& path) {
+    const ExrHeader header(path);
+    if (header.isDeep())
+        header.fail("its pixels are deep; flatten it first");
+    if (header.chunkSize() > kLargestChunk)
+        header.fail("a chunk of it takes more than 256 MiB; write it in smaller tiles or rows");
+    if (header.chunkCount() > std::filesystem::file_size(path) / kBytesPerOffset)
+        header.fail("its end is missing");
 }
 
 } // namespace calotype

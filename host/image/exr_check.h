@@ -1,17 +1,12 @@
 #pragma once
 
 #include <filesystem>
-#include <string_view>
-
-#include "image/check_size.h"
 
 namespace calotype {
 
-/// The size of an EXR's data window, after a look at its last row: a few bytes can claim any number
-/// of pixels, for which readExr would take memory before it met the missing ones. Throws SceneError
-/// if the header or that row cannot be read, or a side exceeds `largestSide`.
-ImageSize checkExr(const std::filesystem::path& path, uint32_t largestSide);
-
-bool isExr(std::string_view file);
+/// A look at an EXR file's header before OpenEXR's classes allocate memory by it in good faith.
+/// Throws SceneError for attributes longer than the file, sides above 65,535 pixels, chunks (blocks
+/// of rows, or tiles) above 256 MiB, more chunks than the file has room for, and deep pixels.
+void checkExr(const std::filesystem::path& path);
 
 } // namespace calotype

@@ -10,8 +10,9 @@ thread_local size_t stbAllocationLimit = 0;
 
 namespace {
 
+/// Cleared, since a corrupt JPEG may name Huffman tables that it does not define.
 void* allocateWithinLimit(size_t size) {
-    return size <= calotype::stbAllocationLimit ? std::malloc(size) : nullptr;
+    return size <= calotype::stbAllocationLimit ? std::calloc(1, size) : nullptr;
 }
 
 void* reallocateWithinLimit(void* memory, size_t size) {

@@ -10,6 +10,7 @@
 #include "scene/names.h"
 #include "scene/obj_lines.h"
 #include "scene/text_cursor.h"
+#include "scene/tidy_obj.h"
 #include "scene/uv_limit.h"
 
 namespace calotype {
@@ -94,6 +95,7 @@ private:
         while (!cursor.atEnd()) {
             const std::string_view word = cursor.word();
             const std::optional<double> value = parseNumber(word);
+            outline_.isUntidy = outline_.isUntidy || !value || !isTidyNumber(word);
             if (!value) {
                 return complain(kind, [&] { return inQuotes(word) + " is not a number"; });
             }
@@ -137,7 +139,7 @@ private:
         if (corners < 3) {
             fail("a face needs at least 3 corners, not " + std::to_string(corners));
         }
-        outline_.untidyFaces = outline_.untidyFaces || !cursor.rest().empty();
+        outline_.isUntidy = outline_.isUntidy || !cursor.rest().empty();
         noteMaterial();
         ++outline_.polygons;
         outline_.corners += corners;
@@ -157,7 +159,7 @@ private:
             }
             next = stop;
             if (next == end) {
-                outline_.untidyFaces = outline_.untidyFaces || word.back() == '/';
+                outline_.isUntidy = outline_.isUntidy || word.back() == '/';
                 return;
             }
             if (*next != '/') {

@@ -26,8 +26,9 @@ struct ObjOutline {
     std::vector<MaterialRun> materialRuns;
     std::vector<std::string> libraries;   ///< what follows each "mtllib"
     std::vector<size_t> nonFiniteNormals; ///< indices of normals with a NaN or an infinity
-    /// Whether tinyobjloader would misread faces, for comments after them or empty last fields.
-    bool untidyFaces = false;
+    /// Whether tinyobjloader would misread faces, for comments after them or empty last fields, or
+    /// numbers of vertices.
+    bool isUntidy = false;
 };
 
 /// Finds what tinyobjloader passes over in silence. Throws SceneError at "PATH:LINE" for faces

@@ -13,7 +13,7 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "scene/obj_lines.h"
-#include "scene/text_cursor.h"
+#include "scene/tidy_obj.h"
 #include "scene/triangulate.h"
 
 namespace calotype {
@@ -27,28 +27,6 @@ public:
         setg(start, start, start + text.size());
     }
 };
-
-/// The corners of a face's line without slashes that nothing follows, and without a comment.
-std::string tidiedFace(std::string_view line) {
-    TextCursor cursor(line);
-    std::string result;
-    while (!cursor.atEnd()) {
-        const std::string_view word = cursor.word();
-        result.append(word.substr(0, word.find_last_not_of('/') + 1)).push_back(' ');
-    }
-    return result;
-}
-
-/// The text with continued lines joined and faces tidied.
-std::string tidied(std::string_view text) {
-    std::string result;
-    result.reserve(text.size() + 1);
-    forEachObjLine(text, [&](size_t, std::string_view line) {
-        const bool face = line.starts_with("f ") || line.starts_with("f\t");
-        result.append(face ? tidiedFace(line) : line).push_back('\n');
-    });
-    return result;
-}
 
 /// Takes tinyobjloader's events and cuts each polygon as it comes.
 class Receiver {
@@ -178,8 +156,8 @@ ObjFile parseObj(std::string_view text, const std::string& path) {
                          "the file has no faces; points, lines and curves cannot be rendered");
     }
     std::string tidy;
-    if (outline.untidyFaces || text.find('\\') != std::string_view::npos) {
-        tidy = tidied(text);
+    if (outline.isUntidy || text.find('\\') != std::string_view::npos) {
+        tidy = tidyObj(text);
         text = tidy;
     }
     ObjFile file;

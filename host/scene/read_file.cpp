@@ -39,16 +39,15 @@ std::string readFile(const std::string& path, const std::string& where) {
     std::string bytes;
     std::error_code unknownSize;
     const auto size = std::filesystem::file_size(path, unknownSize);
-    if (!unknownSize) {
-        bytes.reserve(size + kChunk);
-    }
+    size_t wanted = unknownSize ? kChunk : size + 1; // one more, to see the end
     size_t count = 0;
-    do {
+    for (bool atEnd = false; !atEnd; wanted = kChunk) {
         const size_t start = bytes.size();
-        bytes.resize(start + kChunk);
-        count = std::fread(bytes.data() + start, 1, kChunk, file.get());
+        bytes.resize(start + wanted);
+        count = std::fread(bytes.data() + start, 1, wanted, file.get());
         bytes.resize(start + count);
-    } while (count == kChunk);
+        atEnd = count < wanted;
+    }
     if (std::ferror(file.get())) {
         fail(errno);
     }

@@ -1,5 +1,5 @@
 // Public collections of odd and corrupt images, where ../shared/data has them: each decodes or is
-// refused with a sentence, in bounded time.
+// refused with a sentence, in bounded time and memory.
 
 #include <algorithm>
 #include <cmath>
@@ -11,12 +11,26 @@
 #include "image/read_texel_image.h"
 #include "image/texel_channel.h"
 #include "scene/texture.h"
+#include "unit/memory_use.h"
 #include "unit/scene_files.h"
 
 namespace calotype::test {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Every test also bounds the memory that it uses.
+class ImageCorpora : public testing::Test {
+protected:
+    ~ImageCorpora() override { EXPECT_LT(memory_.peak(), kMostMemory); }
+
+private:
+    /// Some MiB by itself. Broken copies may claim 2^28 texels, but hold no more than 20 KB, which
+    /// deflate can swell to 20 MB.
+    static constexpr int64_t kMostMemory = (int64_t{64} << 20) + kSanitizerMemory;
+
+    MemoryGauge memory_;
+};
 
 std::vector<fs::path> imagesOf(const std::string& folder) {
     std::vector<fs::path> paths;
@@ -34,7 +48,7 @@ TexelImage read(const std::string& bytes) {
     return readTexelImage(bytes, ImageTexture::kLargestSide, "image");
 }
 
-TEST(ImageCorpora, PngsDecodeUnlessCorrupt) {
+TEST_F(ImageCorpora, PngsDecodeUnlessCorrupt) {
     const std::vector<fs::path> paths = imagesOf("pngsuite");
     if (paths.empty())
         GTEST_SKIP() << "../shared/data is not there";
@@ -58,7 +72,7 @@ int largestDifference(const TexelImage& a, const TexelImage& b) {
     return static_cast<int>(std::lround(255.0f * largest));
 }
 
-TEST(ImageCorpora, JpegsDecodeToThePngBesideThem) {
+TEST_F(ImageCorpora, JpegsDecodeToThePngBesideThem) {
     // libjpeg, which made the PNGs, does not smooth chroma that is one or two samples wide.
     constexpr uint32_t kNarrow = 4;
     constexpr int kTolerance = 3; // two roundings of the transform and one of the colours
@@ -89,7 +103,7 @@ TEST(ImageCorpora, JpegsDecodeToThePngBesideThem) {
     EXPECT_EQ(refused, (std::vector<std::string>{"partial_progressive.jpg"}));
 }
 
-TEST(ImageCorpora, TgasOfEqualContentAreEqual) {
+TEST_F(ImageCorpora, TgasOfEqualContentAreEqual) {
     const std::vector<fs::path> paths = imagesOf("tga-basic");
     if (paths.empty())
         GTEST_SKIP() << "../shared/data is not there";
@@ -100,7 +114,7 @@ TEST(ImageCorpora, TgasOfEqualContentAreEqual) {
               read(readBytes(folder / "tga_uncompressed.tga")).bytes);
 }
 
-TEST(ImageCorpora, BrokenCopiesAreDecodedOrRefused) {
+TEST_F(ImageCorpora, BrokenCopiesAreDecodedOrRefused) {
     constexpr int kCopies = 12;
     constexpr size_t kLargestFile = 20'000;
     std::mt19937 random(1);

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstring>
 
+#include <malloc.h>
+
 #include <gtest/gtest.h>
 
 #include "image/channel_image.h"
@@ -98,6 +100,21 @@ TEST(ReadTexelImage, RefusesHuffmanTablesThatOverflow) {
     const std::string segment = "\xff\xc4\x01\x23" + std::string(1, '\0') +
                                 std::string(16, '\x11') + std::string(16 * 17, '\0');
     expectRefused(jpeg.substr(0, 2) + segment + jpeg.substr(2), "malformed");
+}
+
+TEST(ReadTexelImage, ReadsNoMemoryThatWasNeverWritten) {
+    // A JPEG that has lost its Huffman tables: whatever malloc returns stood in for them.
+    std::string jpeg;
+    const std::vector<Rgba8> grey(64, Rgba8{77, 77, 77, 255});
+    stbi_write_jpg_to_func(appendTo, &jpeg, 8, 8, 4, grey.data(), 100);
+    for (size_t at = jpeg.find("\xff\xc4"); at != jpeg.npos; at = jpeg.find("\xff\xc4"))
+        jpeg.erase(at, 2 + (static_cast<unsigned char>(jpeg.at(at + 2)) << 8 |
+                            static_cast<unsigned char>(jpeg.at(at + 3))));
+    for (const int fill : {0x01, 0x55}) {
+        ::mallopt(M_PERTURB, fill);
+        EXPECT_NO_THROW(EXPECT_EQ(read(jpeg).bytes.at(0), 128)) << fill;
+    }
+    ::mallopt(M_PERTURB, 0);
 }
 
 std::string hdrFile(uint32_t width, uint32_t height, const std::string& pixels) {

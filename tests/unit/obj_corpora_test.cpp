@@ -1,9 +1,10 @@
 // A public collection of odd and broken OBJ files, where ../shared/data has it: each loads as a
-// model or is refused with a sentence, in bounded time.
+// model or is refused with a sentence, in bounded time and memory.
 
 #include <algorithm>
 #include <filesystem>
 
+#include "unit/memory_use.h"
 #include "unit/scene_files.h"
 
 namespace calotype::test {
@@ -27,6 +28,7 @@ TEST(ObjCorpora, EdgeCasesLoadOrAreRefused) {
     size_t loaded = 0;
     for (const fs::path& path : paths) {
         SCOPED_TRACE(path.filename());
+        const MemoryGauge memory;
         const double seconds = processorSeconds([&] {
             for (const LoadOptions& options : {LoadOptions(), warn}) {
                 try {
@@ -39,6 +41,8 @@ TEST(ObjCorpora, EdgeCasesLoadOrAreRefused) {
             }
         });
         EXPECT_LT(seconds, 20.0); // a tenth of one by itself; more under sanitizers
+        // One by itself, of files of up to 140 KB.
+        EXPECT_LT(memory.peak(), (int64_t{64} << 20) + kSanitizerMemory);
     }
     EXPECT_GT(loaded, paths.size());
 }

@@ -194,6 +194,20 @@ TEST(ObjFile, ReadsContinuedLinesCommentsAndOddEndings) {
     }
 }
 
+TEST(ObjFile, ReadsNumbersWhoseFactorsLeaveTheRange) {
+    // tinyobjloader by itself reads 0 times infinity, or overflows the exponent.
+    const std::string ten400 = "1" + std::string(400, '0');
+    const ObjFile obj = parseObj("v 0e999 1e-2147483648 1e+300\nv 1 " + ten400 + "e-400 0\n" +
+                                     "v 1E-310 12345e-4 -1e-0002\nv x 1e2147483648 0\nf 1 2 3\n",
+                                 "a.obj");
+    EXPECT_EQ(obj.positions.at(0), glm::dvec3(0.0, 0.0, 1e300));
+    EXPECT_EQ(obj.positions.at(1), glm::dvec3(1.0, 1.0, 0.0));
+    // The smallest numbers keep fewer digits.
+    EXPECT_NEAR(obj.positions.at(2).x, 1e-310, 1e-322);
+    EXPECT_NEAR(obj.positions.at(2).y, 1.2345, 1e-15);
+    EXPECT_EQ(obj.positions.at(2).z, -1e-2);
+}
+
 TEST(ObjFile, TakesNormalsOfAFaceOnlyAsAWhole) {
     const std::string start =
         "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nvn 0 0 0\nvn nan 1 0\n";
