@@ -70,12 +70,13 @@ void addSceneOptions(CLI::App& command, SceneOptions& scene) {
               "Where an image file is missing: fail, or warn and show magenta", "fail|warn");
 }
 
-void addDeviceOptions(CLI::App& command, DeviceOptions& device) {
+void addDeviceOptions(CLI::App& command, DeviceOptions& device, const std::string& others = "") {
     command
         .add_option("--device", device.device,
-                    "Device by index or part of its name (else CALOTYPE_DEVICE, else the best)")
+                    "Device by index or part of its name (else CALOTYPE_DEVICE, else the best)" +
+                        others)
         ->type_name("INDEX|NAME");
-    command.add_option("--threads", device.threads, "Threads of lavapipe (default: all cores)")
+    command.add_option("--threads", device.threads, "Threads on the CPU (default: all cores)")
         ->check(CLI::Range(1, 1024))
         ->type_name("N");
 }
@@ -118,7 +119,8 @@ CLI::App& addRenderCommand(CLI::App& app, RenderOptions& options) {
     command.add_option("--stats", options.statsFile, "Write statistics as JSON")->type_name("FILE");
     command.add_flag("-q,--quiet", options.quiet, "No progress, only warnings and errors")
         ->multi_option_policy(CLI::MultiOptionPolicy::Throw);
-    addDeviceOptions(command, options.device);
+    addDeviceOptions(command, options.device,
+                     "; \"reference\": the reference tracer, in double precision on the CPU");
     return command;
 }
 

@@ -7,7 +7,11 @@
 
 namespace calotype {
 
+bool isReference(const DeviceOptions& options) { return options.device == "reference"; }
+
 Instance makeInstance(const DeviceOptions& options) {
+    if (isReference(options))
+        throw UsageError("--device reference is no device; only render knows it");
     if (options.threads > 0)
         setenv("LP_NUM_THREADS", std::to_string(options.threads).c_str(), 1);
     return Instance();

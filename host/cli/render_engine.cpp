@@ -5,8 +5,6 @@
 
 namespace calotype {
 
-bool isReference(const DeviceOptions& options) { return options.device == "reference"; }
-
 std::unique_ptr<RenderEngine> makeEngine(const DeviceOptions& options, const Scene& scene,
                                          const EngineWish& wish, StageSeconds& seconds) {
     if (isReference(options))

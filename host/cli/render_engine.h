@@ -45,9 +45,6 @@ struct EngineWish {
     std::function<void(const std::string&, double)> onProgress;
 };
 
-/// Whether the options ask for the reference tracer instead of a device.
-bool isReference(const DeviceOptions& options);
-
 /// The engine that the options ask for, ready to render. `scene` must outlive it; `seconds` takes
 /// the times of building, uploading and compiling.
 std::unique_ptr<RenderEngine> makeEngine(const DeviceOptions& options, const Scene& scene,

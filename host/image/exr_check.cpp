@@ -8,12 +8,13 @@
 #include <OpenEXR/openexr.h>
 
 #include "base/error.h"
+#include "image/check_size.h"
 
 namespace calotype {
 namespace {
 
 /// As a scene's film.
-constexpr int kLargestSide = 65535;
+constexpr uint32_t kLargestSide = 65535;
 /// Twenty channels of float in blocks of 32 rows of the longest side, or in tiles of 1024 x 1024.
 constexpr uint64_t kLargestChunk = uint64_t{256} << 20;
 /// In the table of chunks.
@@ -26,8 +27,6 @@ public:
         exr_context_initializer_t options = EXR_DEFAULT_CONTEXT_INITIALIZER;
         options.error_handler_fn = [](exr_const_context_t, exr_result_t, const char*) {};
         options.flags = EXR_CONTEXT_FLAG_STRICT_HEADER;
-        options.max_image_width = kLargestSide;
-        options.max_image_height = kLargestSide;
         options.max_tile_width = kLargestSide;
         options.max_tile_height = kLargestSide;
         exr_context_t context = nullptr;
@@ -44,6 +43,15 @@ public:
         exr_storage_t storage = EXR_STORAGE_SCANLINE;
         require(exr_get_storage(context_.get(), kPart, &storage));
         return storage == EXR_STORAGE_DEEP_SCANLINE || storage == EXR_STORAGE_DEEP_TILED;
+    }
+
+    ImageSize size() const {
+        exr_attr_box2i_t window{};
+        require(exr_get_data_window(context_.get(), kPart, &window));
+        const auto side = [](int32_t first, int32_t last) {
+            return static_cast<uint32_t>(int64_t{last} - first + 1);
+        };
+        return {side(window.min.x, window.max.x), side(window.min.y, window.max.y)};
     }
 
     uint64_t chunkCount() const {
@@ -79,12 +87,9 @@ private:
                 exr_get_tile_descriptor(context_.get(), kPart, &width, &height, &level, &round));
             return uint64_t{width} * height;
         }
-        exr_attr_box2i_t window{};
         int32_t rows = 0;
-        require(exr_get_data_window(context_.get(), kPart, &window));
         require(exr_get_scanlines_per_chunk(context_.get(), kPart, &rows));
-        return static_cast<uint64_t>(int64_t{window.max.x} - window.min.x + 1) *
-               static_cast<uint64_t>(rows);
+        return uint64_t{size().width} * static_cast<uint64_t>(rows);
     }
 
     uint64_t bytesPerPixel() const {
@@ -104,6 +109,7 @@ private:
 
 void checkExr(const std::filesystem::path& path) {
     const ExrHeader header(path);
+    checkSize(header.size(), kLargestSide, path.string());
     if (header.isDeep())
         header.fail("its pixels are deep; flatten it first");
     if (header.chunkSize() > kLargestChunk)

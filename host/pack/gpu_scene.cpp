@@ -1,37 +1,17 @@
 #include "pack/gpu_scene.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <numeric>
-
-#include <glm/geometric.hpp>
 
 #include "base/check.h"
 #include "base/error.h"
-#include "pack/alias_table.h"
 #include "pack/filter_table.h"
 #include "pack/pack_camera.h"
+#include "pack/pack_lights.h"
 #include "pack/pack_material.h"
 #include "pack/pack_shapes.h"
-#include "scene/scene_bounds.h"
 
 namespace calotype {
 namespace {
-
-double luminance(const glm::dvec3& rgb) { return 0.2126 * rgb.x + 0.7152 * rgb.y + 0.0722 * rgb.z; }
-
-double maxComponent(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
-
-/// Radiance that float holds with room for sums and products.
-void requireFloatRange(const glm::dvec3& radiance, const std::string& place) {
-    constexpr double kFaintest = 1e-30;
-    constexpr double kBrightest = 1e30;
-    const double largest = maxComponent(radiance);
-    if (largest > kBrightest || (largest > 0.0 && largest < kFaintest))
-        throw SceneError(place,
-                         "emits a radiance that is neither 0 nor from 1e-30 to 1e30 W/(m^2 sr)");
-}
 
 /// Names and rows of nodes and primitives have to fit into their bits.
 void requireIndexable(size_t nodes, size_t primitives) {
@@ -45,7 +25,8 @@ class ScenePacker {
 public:
     ScenePacker(const Scene& scene, std::span<const Primitive> primitives, const Bvh& bvh,
                 const glm::dvec3& origin, PackedUvs uvs)
-        : scene_(scene), primitives_(primitives), bvh_(bvh), uvs_(uvs), textures_(scene.textures) {
+        : scene_(scene), primitives_(primitives), bvh_(bvh), uvs_(uvs), textures_(scene.textures),
+          lights_(scene, packed_.features) {
         packed_.origin = origin;
         packed_.materials.resize(scene.materials.size());
         isPacked_.resize(scene.materials.size());
@@ -54,12 +35,10 @@ public:
     GpuScene pack(double aspectRatio) {
         requireIndexable(bvh_.nodes.size(), primitives_.size());
         packPrimitives();
-        sortLights();
+        packLights();
         packNodes();
         packed_.textures = textures_.takePacked();
         packed_.texelRows = textures_.takeTexelRows();
-        addBackground();
-        finishLights();
         packView(aspectRatio);
         fillEmptyArrays();
         return std::move(packed_);
@@ -99,10 +78,10 @@ private:
                      bool textured) {
         const auto name = static_cast<uint32_t>(packed_.triangles.size());
         gpu::Triangle triangle = packTriangle(mesh, index, packed_.origin, number);
-        triangle.light = addLight(triangle.material, name, number, areaOf(triangle));
+        const bool shines = lights_.add(triangle.material, name, number, areaOf(triangle));
         triangle.material |= transparentBit(triangle.material);
         enable(gpu::kFeatureTriangles, true);
-        enable(gpu::kFeatureTriangleLights, triangle.light != gpu::kNone);
+        enable(gpu::kFeatureTriangleLights, shines);
         packed_.triangles.push_back(triangle);
         if (smooth)
             packed_.triangleNormals.push_back(packTriangleNormals(mesh, index));
@@ -114,49 +93,23 @@ private:
     void addQuadric(const Shape& shape, uint32_t number) {
         const auto name = static_cast<uint32_t>(packed_.quadrics.size()) | gpu::kQuadricBit;
         gpu::Quadric quadric = packQuadric(shape, packed_.origin, number);
-        quadric.light = addLight(quadric.material, name, number, areaOf(quadric));
+        const bool shines = lights_.add(quadric.material, name, number, areaOf(quadric));
         quadric.material |= transparentBit(quadric.material);
         enable(gpu::kFeatureSpheres + quadric.kind, true);
-        enable(gpu::kFeatureSphereLights + quadric.kind, quadric.light != gpu::kNone);
+        enable(gpu::kFeatureSphereLights + quadric.kind, shines);
         packed_.quadrics.push_back(quadric);
         names_.push_back(name);
     }
 
-    /// The new light's index, or kNone where the material does not shine or there is no area.
-    uint32_t addLight(uint32_t materialIndex, uint32_t name, uint32_t number, double area) {
-        const Material& material = scene_.materials[materialIndex];
-        // A light that is off but hidden from the camera still has to be seen through.
-        const bool shines = maxComponent(material.emission) > 0.0 && area > 0.0;
-        if (!shines && material.visibleToCamera)
-            return gpu::kNone;
-        requireFloatRange(material.emission, "material '" + material.name + "'");
-        gpu::Light light{};
-        light.radiance = glm::vec3(material.emission);
-        light.primitive = name;
-        light.area = static_cast<float>(area);
-        light.flags = (material.emitsFromFrontOnly ? 0 : gpu::kLightEmitsFromBack) |
-                      (material.visibleToCamera ? 0 : gpu::kLightHiddenFromCamera);
-        enable(gpu::kFeatureHiddenLights, !material.visibleToCamera);
-        const double sides = material.emitsFromFrontOnly ? 1.0 : 2.0;
-        powers_.push_back(luminance(material.emission) * area * sides);
-        packed_.maxRadiance = std::max(packed_.maxRadiance, maxComponent(material.emission));
-        packed_.lights.push_back(light);
-        lightNumbers_.push_back(number);
-        return packed_.lightCount++;
-    }
-
-    /// Brings the lights into the order of the scene file, so that which one a random number picks
-    /// does not depend on the tree.
-    void sortLights() {
-        std::vector<uint32_t> order(packed_.lightCount);
-        std::iota(order.begin(), order.end(), 0u);
-        std::ranges::sort(order, {}, [&](uint32_t light) { return lightNumbers_[light]; });
-        const std::vector<gpu::Light> lights = packed_.lights;
-        const std::vector<double> powers = powers_;
-        for (uint32_t i = 0; i < order.size(); ++i) {
-            const uint32_t name = lights[order[i]].primitive;
-            packed_.lights[i] = lights[order[i]];
-            powers_[i] = powers[order[i]];
+    /// Tells each shining primitive its light.
+    void packLights() {
+        packed_.lights = lights_.take();
+        packed_.maxRadiance = lights_.maxRadiance();
+        packed_.lightCount = static_cast<uint32_t>(packed_.lights.size());
+        for (uint32_t i = 0; i < packed_.lightCount; ++i) {
+            const uint32_t name = packed_.lights[i].primitive;
+            if (name == gpu::kBackground)
+                continue;
             if ((name & gpu::kQuadricBit) != 0)
                 packed_.quadrics[name & ~gpu::kQuadricBit].light = i;
             else
@@ -189,38 +142,6 @@ private:
 
     uint32_t transparentBit(uint32_t material) const {
         return isTransparent(scene_.materials[material]) ? gpu::kTransparentBit : 0;
-    }
-
-    /// The background sends its radiance through the sphere about the scene. It is chosen half of
-    /// the times at most, however far the scene's ground reaches: a ray that leaves the surface in
-    /// any direction finds it too.
-    void addBackground() {
-        const double radiance = maxComponent(scene_.background);
-        if (radiance == 0.0)
-            return;
-        requireFloatRange(scene_.background, "/background");
-        const Bounds3d bounds = sceneBounds(scene_);
-        const double radius = bounds.isEmpty() ? 1.0 : 0.5 * glm::length(bounds.extent());
-        const double area = 4.0 * std::numbers::pi * radius * radius;
-        const double others = std::accumulate(powers_.begin(), powers_.end(), 0.0);
-        const double power = luminance(scene_.background) * area;
-        powers_.push_back(others > 0.0 ? std::min(power, others) : power);
-        gpu::Light light{};
-        light.radiance = glm::vec3(scene_.background);
-        light.primitive = gpu::kBackground;
-        packed_.lights.push_back(light);
-        packed_.lightCount++;
-        packed_.maxRadiance = std::max(packed_.maxRadiance, radiance);
-        enable(gpu::kFeatureBackground, true);
-    }
-
-    void finishLights() {
-        const std::vector<AliasColumn> columns = buildAliasTable(powers_);
-        for (size_t i = 0; i < columns.size(); ++i) {
-            packed_.lights[i].selectionChance = static_cast<float>(columns[i].chance);
-            packed_.lights[i].aliasThreshold = static_cast<float>(columns[i].threshold);
-            packed_.lights[i].alias = columns[i].alias;
-        }
     }
 
     void packView(double aspectRatio) {
@@ -268,10 +189,9 @@ private:
     PackedUvs uvs_;
     TexturePacker textures_;
     GpuScene packed_;
-    std::vector<bool> isPacked_;         ///< by material
-    std::vector<uint32_t> names_;        ///< by place in the leaves' order: index, with kQuadricBit
-    std::vector<double> powers_;         ///< by light, up to a common factor
-    std::vector<uint32_t> lightNumbers_; ///< by light: its primitive's number
+    LightPacker lights_;
+    std::vector<bool> isPacked_;  ///< by material
+    std::vector<uint32_t> names_; ///< by place in the leaves' order: index, with kQuadricBit
 };
 
 template <typename T>

@@ -6,7 +6,7 @@
 #include "base/check.h"
 #include "kernels/first_hit.spv.h"
 #include "render/dispatch_sizer.h"
-#include "shared/limits.h"
+#include "render/tiles.h"
 
 namespace calotype {
 namespace {
@@ -14,10 +14,6 @@ namespace {
 constexpr uint32_t kPixelsPerTile = gpu::kTileSize * gpu::kTileSize;
 /// 16 MiB of records: far below any device's limit on a storage buffer.
 constexpr uint32_t kMostTilesPerDispatch = 4096;
-
-uint32_t tilesAlong(uint32_t pixels) { return (pixels + gpu::kTileSize - 1) / gpu::kTileSize; }
-
-uint32_t countTiles(const Crop& crop) { return tilesAlong(crop.width) * tilesAlong(crop.height); }
 
 size_t recordBytes(uint32_t tiles) {
     return size_t{tiles} * kPixelsPerTile * sizeof(gpu::FirstHitRecord);

@@ -3,17 +3,10 @@
 #include <numeric>
 
 #include "kernels/path_trace.spv.h"
-#include "shared/limits.h"
+#include "render/tiles.h"
 
 namespace calotype {
 namespace {
-
-uint32_t countTiles(const Crop& crop) {
-    const auto tilesAlong = [](uint32_t pixels) {
-        return (pixels + gpu::kTileSize - 1) / gpu::kTileSize;
-    };
-    return tilesAlong(crop.width) * tilesAlong(crop.height);
-}
 
 struct IterationBudget {
     uint32_t beforePause;

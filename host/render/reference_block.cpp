@@ -4,12 +4,10 @@
 #include <cmath>
 
 #include "base/parallel_for.h"
-#include "shared/limits.h"
+#include "render/tiles.h"
 
 namespace calotype {
 namespace {
-
-uint32_t tilesAlong(uint32_t pixels) { return (pixels + gpu::kTileSize - 1) / gpu::kTileSize; }
 
 bool isFinite(const glm::dvec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -28,9 +26,7 @@ ReferenceBlock::ReferenceBlock(const reference::ReferenceTracer& tracer,
     : tracer_(tracer), settings_(settings), threads_(threads),
       pixels_(size_t{settings.crop.width} * settings.crop.height) {}
 
-uint32_t ReferenceBlock::tileCount() const {
-    return tilesAlong(settings_.crop.width) * tilesAlong(settings_.crop.height);
-}
+uint32_t ReferenceBlock::tileCount() const { return countTiles(settings_.crop); }
 
 void ReferenceBlock::beginBlock(uint32_t firstSample) {
     firstSample_ = firstSample;

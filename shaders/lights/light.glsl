@@ -21,6 +21,12 @@ bool isQuadricLight(Light light) {
     return hasQuadricLights && (!hasTriangleLights || (light.primitive & kQuadricBit) != 0u);
 }
 
+/// Whether a primitive's light, or kNone, is one that camera rays pass through.
+bool isHiddenFromCamera(uint light) {
+    return hasHiddenLights && light != kNone &&
+           (loadLight(light).flags & kLightHiddenFromCamera) != 0u;
+}
+
 bool isBackground(Light light) { return hasBackground && light.primitive == kBackground; }
 
 bool isSphereLight(Quadric quadric) { return hasSphereLights && quadric.kind == kSphere; }

@@ -2,6 +2,7 @@
 #ifndef CALOTYPE_PATH_FIRST_HIT_GLSL
 #define CALOTYPE_PATH_FIRST_HIT_GLSL
 
+#include "lights/light.glsl"
 #include "path/camera.glsl"
 #include "path/visibility.glsl"
 #include "shared/render_structs.h"
@@ -12,9 +13,7 @@ const uint kMostPassedSurfaces = 1024u;
 /// True where the pixel shows what lies behind: at lights hidden from the camera, and where less
 /// than half of the light meets the surface.
 bool isSeenThrough(Interaction surface) {
-    bool seenThrough = false;
-    if (hasHiddenLights && surface.light != kNone)
-        seenThrough = (loadLight(surface.light).flags & kLightHiddenFromCamera) != 0u;
+    bool seenThrough = isHiddenFromCamera(surface.light);
     if (hasAlpha && (surface.material & kTransparentBit) != 0u)
         seenThrough = seenThrough || alphaAt(materialOf(surface), surface.coordinates.uv) < 0.5;
     return seenThrough;

@@ -53,9 +53,7 @@ vec3 emittedLight(Path path, Interaction surface, Light light) {
 /// True where the path goes on as if the surface were not there. A ray that enters and leaves the
 /// same primitive asks twice, so the sides have numbers of their own.
 bool passesThrough(Path path, Interaction surface) {
-    bool passes = false;
-    if (hasHiddenLights && path.bounce == 0u && surface.light != kNone)
-        passes = (loadLight(surface.light).flags & kLightHiddenFromCamera) != 0u;
+    bool passes = path.bounce == 0u && isHiddenFromCamera(surface.light);
     if (hasAlpha && (surface.material & kTransparentBit) != 0u) {
         uint fromBehind = dot(path.ray.direction, surface.ng) > 0.0 ? 1u : 0u;
         float u = uniformRandomOf(path.id, bounceDimension(path.bounce, kDimensionAlpha),

@@ -22,6 +22,8 @@ CALOTYPE_CONSTANT uint kSceneBindingCount = 10;
 CALOTYPE_CONSTANT uint kBindingCamera = 10;   ///< uniform buffer
 CALOTYPE_CONSTANT uint kBindingBlock = 11;    ///< storage image
 CALOTYPE_CONSTANT uint kBindingCounters = 12; ///< storage buffer
+/// Storage buffer of one FirstHitRecord per pixel of the dispatch's tiles.
+CALOTYPE_CONSTANT uint kBindingFirstHits = 13;
 
 // Scene features: what the kernel is specialised for. All default to true.
 CALOTYPE_CONSTANT uint kFeatureTriangles = 0;

@@ -36,9 +36,6 @@ struct RenderCounters {
     uint pad2;
 };
 
-/// Storage buffer of one FirstHitRecord per pixel of the dispatch's tiles.
-CALOTYPE_CONSTANT uint kBindingFirstHits = 13;
-
 /// Push constants. A dispatch finds the first hits of the pixels of a run of tiles.
 struct FirstHitParameters {
     uvec2 imageSize;  ///< of the whole film, pixels

@@ -1,0 +1,92 @@
+#include "pack/pack_lights.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+#include "base/error.h"
+#include "pack/alias_table.h"
+#include "scene/scene_bounds.h"
+#include "shared/bindings.h"
+
+namespace calotype {
+namespace {
+
+double luminance(const glm::dvec3& rgb) { return 0.2126 * rgb.x + 0.7152 * rgb.y + 0.0722 * rgb.z; }
+
+double maxComponent(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
+
+} // namespace
+
+/// Radiance that float holds with room for sums and products.
+void LightPacker::requireFloatRange(const glm::dvec3& radiance, const std::string& place) {
+    constexpr double kFaintest = 1e-30;
+    constexpr double kBrightest = 1e30;
+    const double largest = maxComponent(radiance);
+    if (largest > kBrightest || (largest > 0.0 && largest < kFaintest))
+        throw SceneError(place,
+                         "emits a radiance that is neither 0 nor from 1e-30 to 1e30 W/(m^2 sr)");
+    maxRadiance_ = std::max(maxRadiance_, largest);
+}
+
+bool LightPacker::add(uint32_t materialIndex, uint32_t name, uint32_t number, double area) {
+    const Material& material = scene_.materials[materialIndex];
+    // A light that is off but hidden from the camera still has to be seen through.
+    const bool shines = maxComponent(material.emission) > 0.0 && area > 0.0;
+    if (!shines && material.visibleToCamera)
+        return false;
+    requireFloatRange(material.emission, "material '" + material.name + "'");
+    gpu::Light light{};
+    light.radiance = glm::vec3(material.emission);
+    light.primitive = name;
+    light.area = static_cast<float>(area);
+    light.flags = (material.emitsFromFrontOnly ? 0 : gpu::kLightEmitsFromBack) |
+                  (material.visibleToCamera ? 0 : gpu::kLightHiddenFromCamera);
+    if (!material.visibleToCamera)
+        features_.enabled[gpu::kFeatureHiddenLights] = true;
+    const double sides = material.emitsFromFrontOnly ? 1.0 : 2.0;
+    lights_.push_back({light, number, luminance(material.emission) * area * sides});
+    return true;
+}
+
+/// The background sends its radiance through the sphere about the scene. It is chosen half of the
+/// times at most, however far the scene's ground reaches: a ray that leaves the surface in any
+/// direction finds it too.
+void LightPacker::addBackground() {
+    if (scene_.background == glm::dvec3(0.0))
+        return;
+    requireFloatRange(scene_.background, "/background");
+    const Bounds3d bounds = sceneBounds(scene_);
+    const double radius = bounds.isEmpty() ? 1.0 : 0.5 * glm::length(bounds.extent());
+    const double area = 4.0 * std::numbers::pi * radius * radius;
+    const double power = luminance(scene_.background) * area;
+    double others = 0.0;
+    for (const NumberedLight& light : lights_)
+        others += light.power;
+    gpu::Light light{};
+    light.radiance = glm::vec3(scene_.background);
+    light.primitive = gpu::kBackground;
+    lights_.push_back({light, 0, others > 0.0 ? std::min(power, others) : power});
+    features_.enabled[gpu::kFeatureBackground] = true;
+}
+
+std::vector<gpu::Light> LightPacker::take() {
+    std::ranges::sort(lights_, {}, &NumberedLight::number);
+    addBackground();
+    std::vector<double> powers;
+    for (const NumberedLight& light : lights_)
+        powers.push_back(light.power);
+    const std::vector<AliasColumn> columns = buildAliasTable(powers);
+    std::vector<gpu::Light> packed;
+    for (size_t i = 0; i < lights_.size(); ++i) {
+        gpu::Light light = lights_[i].light;
+        light.selectionChance = static_cast<float>(columns[i].chance);
+        light.aliasThreshold = static_cast<float>(columns[i].threshold);
+        light.alias = columns[i].alias;
+        packed.push_back(light);
+    }
+    return packed;
+}
+
+} // namespace calotype

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "pack/scene_features.h"
+#include "scene/scene.h"
+#include "shared/scene_structs.h"
+
+namespace calotype {
+
+/// Collects a scene's lights, and how likely each is to be chosen: by its power.
+class LightPacker {
+public:
+    /// `scene` and `features`, which learns what the kernel must know of, must outlive this.
+    LightPacker(const Scene& scene, SceneFeatures& features) : scene_(scene), features_(features) {}
+
+    /// Adds the primitive of that name (gpu::Light::primitive) and number in the scene file if its
+    /// material makes it a light; true if so. `area` in m^2. Throws SceneError where its radiance
+    /// is beyond what single precision has room for.
+    bool add(uint32_t materialIndex, uint32_t name, uint32_t number, double area);
+
+    /// All lights in the order of the scene file, so that which one a random number picks does not
+    /// depend on the tree, with their alias table; the background last. Throws as `add`.
+    std::vector<gpu::Light> take();
+
+    /// Largest emitted radiance of any channel, W/(m^2 sr).
+    double maxRadiance() const { return maxRadiance_; }
+
+private:
+    struct NumberedLight {
+        gpu::Light light{};
+        uint32_t number = 0; ///< of its primitive
+        double power = 0.0;  ///< up to a factor that all share
+    };
+
+    void addBackground();
+    void requireFloatRange(const glm::dvec3& radiance, const std::string& place);
+
+    const Scene& scene_;
+    SceneFeatures& features_;
+    std::vector<NumberedLight> lights_;
+    double maxRadiance_ = 0.0;
+};
+
+} // namespace calotype
