@@ -21,6 +21,7 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "image/exr_check.h"
+#include "image/exr_error.h"
 
 namespace calotype {
 namespace {
@@ -128,32 +129,25 @@ void writeExr(const std::filesystem::path& path, const Image& image, const ExrMe
 }
 
 Image readExr(const std::filesystem::path& path) {
-    try {
-        checkExr(path);
+    return withExrErrors(path, [&] {
+        const ImageSize size = checkExr(path);
         Imf::InputFile file(path.c_str());
         requireColourChannels(file.header(), path.string());
         const Imath::Box2i window = file.header().dataWindow();
-        const auto size = [](int first, int last) {
-            return static_cast<uint32_t>(int64_t{last} - first + 1);
-        };
         Image image;
-        image.width = size(window.min.x, window.max.x);
-        image.height = size(window.min.y, window.max.y);
+        image.width = size.width;
+        image.height = size.height;
         // Memory follows what was decoded, for a small file can claim any size.
         constexpr int kRows = 64; // 50 MB at most; whole tiles and blocks of most files
         for (int y = window.min.y; y <= window.max.y; y += kRows) {
             const int last = std::min(window.max.y, y + kRows - 1);
-            image.pixels.resize(image.width * size_t{size(window.min.y, last)});
+            const auto rows = static_cast<size_t>(int64_t{last} - window.min.y + 1);
+            image.pixels.resize(image.width * rows);
             file.setFrameBuffer(frameBuffer(image, window));
             file.readPixels(y, last);
         }
         return image;
-    } catch (const Error&) {
-        throw;
-    } catch (const std::exception& error) {
-        throw SceneError(path.string(),
-                         std::string("the EXR file cannot be read: ") + error.what());
-    }
+    });
 }
 
 } // namespace calotype

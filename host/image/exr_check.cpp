@@ -107,7 +107,9 @@ private:
 
 } // namespace
 
-void checkExr(const std::filesystem::path& path) {
+bool isExr(std::string_view file) { return file.starts_with("\x76\x2f\x31\x01"); }
+
+ImageSize checkExr(const std::filesystem::path& path) {
     const ExrHeader header(path);
     checkSize(header.size(), kLargestSide, path.string());
     if (header.isDeep())
@@ -116,6 +118,7 @@ void checkExr(const std::filesystem::path& path) {
         header.fail("a chunk of it takes more than 256 MiB; write it in smaller tiles or rows");
     if (header.chunkCount() > std::filesystem::file_size(path) / kBytesPerOffset)
         header.fail("its end is missing");
+    return header.size();
 }
 
 } // namespace calotype

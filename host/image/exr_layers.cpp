@@ -1,7 +1,6 @@
 #include "image/exr_layers.h"
 
 #include <cstddef>
-#include <exception>
 #include <vector>
 
 #include <OpenEXR/ImfChannelList.h>
@@ -9,7 +8,8 @@
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfInputFile.h>
 
-#include "base/error.h"
+#include "image/exr_check.h"
+#include "image/exr_error.h"
 
 namespace calotype {
 
@@ -74,16 +74,14 @@ std::vector<LayerChannel> channelsIn(const Imf::Header& header) {
 }
 
 FirstHitImage readLayers(const std::filesystem::path& path) {
+    const ImageSize size = checkExr(path);
     Imf::InputFile file(path.c_str());
     const std::vector<LayerChannel> channels = channelsIn(file.header());
     if (channels.empty())
         throw SceneError(path.string(),
                          "the file has no layer of first hits; render it with --aov");
     const Imath::Box2i window = file.header().dataWindow();
-    const auto size = [](int first, int last) {
-        return static_cast<uint32_t>(int64_t{last} - first + 1);
-    };
-    FirstHitImage hits(size(window.min.x, window.max.x), size(window.min.y, window.max.y));
+    FirstHitImage hits(size.width, size.height);
     Imf::FrameBuffer buffer;
     for (const LayerChannel& channel : channels)
         insertSlice(buffer, channel, hits, window);
@@ -108,14 +106,7 @@ void insertLayers(Imf::FrameBuffer& buffer, const Imf::Header& header, const Exr
 }
 
 FirstHitImage readFirstHits(const std::filesystem::path& path) {
-    try {
-        return readLayers(path);
-    } catch (const Error&) {
-        throw;
-    } catch (const std::exception& error) {
-        throw SceneError(path.string(),
-                         std::string("the EXR file cannot be read: ") + error.what());
-    }
+    return withExrErrors(path, [&] { return readLayers(path); });
 }
 
 } // namespace calotype

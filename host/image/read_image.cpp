@@ -8,7 +8,7 @@
 #include "base/error.h"
 #include "image/check_size.h"
 #include "image/exr.h"
-#include "image/exr_size.h"
+#include "image/exr_check.h"
 #include "image/hdr.h"
 #include "image/image_check.h"
 #include "image/pfm.h"
@@ -89,7 +89,7 @@ Image readImage(const std::filesystem::path& path) {
     std::ifstream file = openRegularFile(path);
     const std::string signature = readBytes(file, kSignature);
     if (isExr(signature)) {
-        checkArea(wholeExrSize(path, kLargestSide), where);
+        checkArea(checkExr(path), where);
         return readExr(path);
     }
     const size_t fileSize = sizeOfFile(path);

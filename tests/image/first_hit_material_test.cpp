@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "image/byte_image.h"
 #include "image/first_hits.h"
 #include "image/scene_builder.h"
 
@@ -24,21 +25,6 @@ SceneBuilder& addSquare(SceneBuilder& builder, double z, uint32_t material,
 FirstHits seen(SceneBuilder& builder) {
     builder.lookAtPlaneZ(2.0).scene().film = {2, 2};
     return firstHitsOf(builder.scene());
-}
-
-/// Of 8-bit RGBA, in rows from the top.
-std::shared_ptr<TexelImage> bytesImage(uint32_t width, uint32_t height,
-                                       std::vector<uint8_t> bytes) {
-    auto image = std::make_shared<TexelImage>();
-    image->width = width;
-    image->height = height;
-    image->bytes = std::move(bytes);
-    image->isEncoded = true;
-    return image;
-}
-
-double linearFromSrgb(double encoded) {
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
 class FirstHitMaterialTest : public GpuTest {};
@@ -80,7 +66,7 @@ TEST_F(FirstHitMaterialTest, AlbedoLooksItsTextureUp) {
     for (uint32_t y = 0; y < 2; ++y)
         for (uint32_t x = 0; x < 2; ++x)
             for (int channel = 0; channel < 3; ++channel) {
-                const double texel = linearFromSrgb(bytes[4 * (2 * y + x) + channel] / 255.0);
+                const double texel = decodedSrgb(bytes[4 * (2 * y + x) + channel] / 255.0);
                 EXPECT_NEAR(image.at(x, y).albedo[channel], material.color[channel] * texel,
                             kRounding); // srgb.glsl states 1.2e-6 of the value
             }

@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "image/byte_image.h"
 #include "image/metrics.h"
 #include "image/scene_builder.h"
 #include "support/gpu_test.h"
@@ -12,21 +13,6 @@
 
 namespace calotype::test {
 namespace {
-
-/// RGBA rows from the top.
-std::shared_ptr<TexelImage> bytesImage(uint32_t width, uint32_t height,
-                                       std::vector<uint8_t> bytes) {
-    auto image = std::make_shared<TexelImage>();
-    image->width = width;
-    image->height = height;
-    image->bytes = std::move(bytes);
-    image->isEncoded = true;
-    return image;
-}
-
-double linearFromSrgb(double encoded) {
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
 
 class TexturedSurfaceTest : public GpuTest {};
 
@@ -54,7 +40,7 @@ TEST_F(TexturedSurfaceTest, TexelsAreSeenTheRightWayUp) {
     for (uint32_t y = 0; y < 3; ++y)
         for (uint32_t x = 0; x < 4; ++x)
             for (int channel = 0; channel < 3; ++channel) {
-                const double wanted = linearFromSrgb(bytes[4 * (4 * y + x) + channel] / 255.0);
+                const double wanted = decodedSrgb(bytes[4 * (4 * y + x) + channel] / 255.0);
                 EXPECT_NEAR(image.at(x, y)[channel], wanted, 0.02 * wanted) << x << "," << y;
             }
 }
