@@ -10,25 +10,23 @@ namespace calotype {
 namespace {
 
 constexpr double kSingularVolume = 1e-12;
+/// Of the columns' lengths. The square of its inverse, a determinant, is still a normal number.
+constexpr double kMostAnisotropy = 1e100;
 constexpr double kSimilarityTolerance = 1e-5;
 
+double largestEntry(const glm::dvec3& v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
 double largestEntry(const glm::dmat3& m) {
-    double largest = 0.0;
-    for (int column = 0; column < 3; ++column) {
-        for (int row = 0; row < 3; ++row) {
-            largest = std::max(largest, std::abs(m[column][row]));
-        }
-    }
-    return largest;
+    return std::max({largestEntry(m[0]), largestEntry(m[1]), largestEntry(m[2])});
 }
 
 /// Each column divided by its length, without overflow. No column is zero.
 glm::dmat3 normalizedColumns(const glm::dmat3& m) {
     glm::dmat3 result;
     for (int column = 0; column < 3; ++column) {
-        const glm::dvec3 c = m[column];
-        const double largest = std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z)});
-        result[column] = glm::normalize(c / largest);
+        result[column] = glm::normalize(m[column] / largestEntry(m[column]));
     }
     return result;
 }
@@ -45,8 +43,9 @@ glm::dmat3 nearestOrthogonal(glm::dmat3 m) {
 } // namespace
 
 bool isSingular(const glm::dmat3& m) {
+    const double largest = largestEntry(m);
     for (int column = 0; column < 3; ++column) {
-        if (m[column] == glm::dvec3(0.0)) {
+        if (!(largestEntry(m[column]) / largest > 1.0 / kMostAnisotropy)) {
             return true;
         }
     }

@@ -53,7 +53,8 @@ AffineTransform readTransform(const JsonObject& shape) {
     }
     const AffineTransform transform = readParts(object);
     if (isSingular(transform.linear)) {
-        value->child("scale").fail("must not be 0, which flattens the shape");
+        value->child("scale").fail("flattens the shape: it must not be 0, nor 1e100 times "
+                                   "as large along one axis as along another");
     }
     return transform;
 }

@@ -74,6 +74,9 @@ TEST(AffineTransform, TellsSingularFromMerelyExtreme) {
     EXPECT_FALSE(isSingular(glm::dmat3(1e-200)));
     EXPECT_FALSE(isSingular(glm::dmat3(1e200)));
     EXPECT_FALSE(isSingular({1, 0, 0, 0, 1e-30, 0, 0, 0, 1}));
+    EXPECT_FALSE(isSingular({1e99, 0, 0, 0, 1, 0, 0, 0, 1}));
+    EXPECT_TRUE(isSingular({1e101, 0, 0, 0, 1, 0, 0, 0, 1}));
+    EXPECT_TRUE(isSingular({1e300, 0, 0, 0, 1e-300, 0, 0, 0, 1}));
     EXPECT_TRUE(isSingular(glm::dmat3(0.0)));
     EXPECT_TRUE(isSingular({1, 2, 3, 4, 5, 6, 7, 8, 9}));
     EXPECT_TRUE(isMirroring({1e-200, 0, 0, 0, -1e-200, 0, 0, 0, 1e-200}));
