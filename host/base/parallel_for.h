@@ -10,10 +10,10 @@ namespace calotype {
 /// Calls body(index, thread) once for every index in [begin, end), on `threads` >= 1 threads
 /// numbered from 0, this one among them. The body must not throw.
 template <typename Body>
-void parallelFor(uint32_t begin, uint32_t end, uint32_t threads, Body&& body) {
-    std::atomic<uint32_t> next = begin;
+void parallelFor(uint64_t begin, uint64_t end, uint32_t threads, Body&& body) {
+    std::atomic<uint64_t> next = begin;
     const auto work = [&](uint32_t thread) {
-        for (uint32_t index = next++; index < end; index = next++)
+        for (uint64_t index = next++; index < end; index = next++)
             body(index, thread);
     };
     std::vector<std::jthread> others; // joined on leaving

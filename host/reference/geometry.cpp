@@ -108,6 +108,19 @@ double Geometry::areaOf(uint32_t number) const {
         [](const auto& quadric) { return reference::areaOf(quadric); });
 }
 
+glm::dvec2 Geometry::uvAt(uint32_t number, const glm::dvec3& point) const {
+    return dispatch(
+        scene_, names_[number],
+        [&](const Mesh& mesh, const Mesh::Triangle& triangle) {
+            return reference::uvAt(mesh, triangle, weightsAt(cornersOf(mesh, triangle), point));
+        },
+        [&](const auto& quadric) {
+            const RigidTransform& worldFromObject = quadric.worldFromObject;
+            const glm::dvec3 p = (point - worldFromObject.translation) * worldFromObject.rotation;
+            return surfaceNear(quadric, p).uv;
+        });
+}
+
 std::optional<Hit> Geometry::closest(const Ray& ray) const {
     const View view(ray);
     double reach = ray.length;

@@ -43,6 +43,9 @@ public:
     /// The surface at a hit of that ray.
     Surface surface(const Hit& hit, const Ray& ray) const;
 
+    /// Texture coordinates of a primitive at a point that lies on it but for rounding.
+    glm::dvec2 uvAt(uint32_t number, const glm::dvec3& point) const;
+
 private:
     const Scene& scene_;
     std::vector<PrimitiveName> names_;

@@ -16,10 +16,13 @@ namespace {
 
 double luminance(const glm::dvec3& rgb) { return glm::dot(rgb, {0.2126, 0.7152, 0.0722}); }
 
-/// A density per area, 1 / area, as one per solid angle (report eq. 1.36). Zero edge on.
+/// A density per area, 1 / area, as one per solid angle (report eq. 1.36). Zero edge on, and where
+/// the point is the reference itself.
 double solidAnglePdf(double area, const glm::dvec3& reference, const glm::dvec3& position,
                      const glm::dvec3& normal) {
     const glm::dvec3 d = position - reference;
+    if (d == glm::dvec3(0.0))
+        return 0.0;
     const double cosTheta = std::abs(glm::dot(glm::normalize(d), normal));
     return cosTheta > 0.0 ? glm::dot(d, d) / (cosTheta * area) : 0.0;
 }

@@ -70,6 +70,13 @@ Corners cornersOf(const Mesh& mesh, const Mesh::Triangle& triangle) {
             mesh.positions[triangle.position[2]]};
 }
 
+glm::dvec2 uvAt(const Mesh& mesh, const Mesh::Triangle& triangle, const glm::dvec3& weights) {
+    if (triangle.uv[0] == Mesh::kNoUv)
+        return glm::dvec2(0.0);
+    return weights.x * mesh.uvs[triangle.uv[0]] + weights.y * mesh.uvs[triangle.uv[1]] +
+           weights.z * mesh.uvs[triangle.uv[2]];
+}
+
 Surface surfaceAt(const Mesh& mesh, const Mesh::Triangle& triangle, const glm::dvec3& weights,
                   const glm::dvec3& rayDirection) {
     const Corners corners = cornersOf(mesh, triangle);

@@ -137,6 +137,8 @@ private:
         if (point.pdf <= 0.0)
             return glm::dvec3(0.0);
         const Ray ray = rayTowards(light, point, origin);
+        if (ray.length == 0.0) // where a light touches the surface there is nothing between
+            return glm::dvec3(0.0);
         const Bsdf::Value scattered = bsdf.evaluate(ray.direction);
         const glm::dvec3 radiance = scattered.value * arrivingRadiance(light, point, ray);
         if (greatest(radiance) <= 0.0)
@@ -150,7 +152,8 @@ private:
             return {origin, point.position};
         const double side = glm::dot(origin - point.position, point.normal) < 0.0 ? -1.0 : 1.0;
         const glm::dvec3 way = offsetFrom(point.position, side * point.normal) - origin;
-        return {origin, glm::normalize(way), glm::length(way)};
+        const double length = glm::length(way);
+        return {origin, length > 0.0 ? way / length : -point.normal, length};
     }
 
     /// What the light sends back along the ray, with its own cut-outs.
@@ -162,10 +165,8 @@ private:
         const glm::dvec3 radiance = light.emitted(point.normal, -ray.direction);
         if (!isTransparent(material))
             return radiance;
-        // The surface at the point is what a ray straight down to it meets.
-        const Ray down{point.position + point.normal, -point.normal};
-        const Surface surface = tracer_.geometry_.surface({1.0, *light.primitive}, down);
-        return radiance * alphaAt(material, tracer_.scene_.textures, surface.uv);
+        const glm::dvec2 uv = tracer_.geometry_.uvAt(*light.primitive, point.position);
+        return radiance * alphaAt(material, tracer_.scene_.textures, uv);
     }
 
     /// The share of light that comes along the ray from its end: the product of 1 - alpha over all

@@ -57,8 +57,8 @@ bool isInPlane(const Corners& corners, const glm::dvec3& point) {
                            std::abs(a.x * b.y) + std::abs(a.y * b.x));
     const glm::dvec3 normal = glm::cross(a, b);
     return std::abs(glm::dot(normal, p)) <=
-           kSurfaceTolerance * (glm::dot(terms, glm::abs(p)) +
-                                glm::length(normal) * (glm::length(p) + edges.size));
+           kSurfaceTolerance *
+               (glm::dot(terms, glm::abs(p)) + glm::length(normal) * (glm::length(p) + edges.size));
 }
 
 } // namespace
@@ -98,6 +98,16 @@ std::optional<TriangleHit> intersect(const Corners& corners, const View& view) {
 glm::dvec3 normalOf(const Corners& corners) {
     const ScaledEdges edges(corners);
     return glm::normalize(glm::cross(edges.toSecond, edges.toThird));
+}
+
+glm::dvec3 weightsAt(const Corners& corners, const glm::dvec3& point) {
+    const ScaledEdges edges(corners);
+    const glm::dvec3 p = (point - corners[0]) / edges.size;
+    const glm::dvec3 normal = glm::cross(edges.toSecond, edges.toThird);
+    const double whole = glm::dot(normal, normal);
+    const double second = glm::dot(glm::cross(p, edges.toThird), normal) / whole;
+    const double third = glm::dot(glm::cross(edges.toSecond, p), normal) / whole;
+    return {1.0 - second - third, second, third};
 }
 
 double areaOf(const Corners& corners) {

@@ -41,4 +41,8 @@ glm::dvec3 normalOf(const Corners& corners);
 
 double areaOf(const Corners& corners);
 
+/// The weights of the corners at a point that lies on the triangle but for rounding: the shares of
+/// the area that the point cuts off opposite to them.
+glm::dvec3 weightsAt(const Corners& corners, const glm::dvec3& point);
+
 } // namespace calotype::reference

@@ -17,6 +17,7 @@ void add(gpu::RenderCounters& sum, const gpu::RenderCounters& counters) {
     sum.rays += counters.rays;
     sum.paths += counters.paths;
     sum.nonFiniteSamples += counters.nonFiniteSamples;
+    sum.unfinishedPixels += counters.unfinishedPixels;
 }
 
 } // namespace
@@ -34,10 +35,23 @@ void ReferenceBlock::beginBlock(uint32_t firstSample) {
 }
 
 gpu::RenderCounters ReferenceBlock::renderTiles(TileRange tiles, uint32_t sampleEnd) {
+    constexpr auto kLongest = std::chrono::milliseconds(200); // so that interrupts are heard
+    constexpr uint32_t kPixelsPerTile = gpu::kTileSize * gpu::kTileSize;
+    const auto deadline = std::chrono::steady_clock::now() + kLongest;
+    const Crop& crop = settings_.crop;
     std::vector<gpu::RenderCounters> counters(threads_, gpu::RenderCounters{});
-    parallelFor(tiles.first, tiles.first + tiles.count, threads_,
-                [&](uint32_t tile, uint32_t thread) {
-                    add(counters[thread], renderTile(tile, sampleEnd));
+    const uint64_t first = uint64_t{tiles.first} * kPixelsPerTile;
+    parallelFor(first, first + uint64_t{tiles.count} * kPixelsPerTile, threads_,
+                [&](uint64_t index, uint32_t thread) {
+                    const auto tile = static_cast<uint32_t>(index / kPixelsPerTile);
+                    const auto inTile = static_cast<uint32_t>(index % kPixelsPerTile);
+                    const glm::uvec2 corner(tile % tilesAlong(crop.width),
+                                            tile / tilesAlong(crop.width));
+                    const glm::uvec2 position =
+                        gpu::kTileSize * corner +
+                        glm::uvec2(inTile % gpu::kTileSize, inTile / gpu::kTileSize);
+                    if (position.x < crop.width && position.y < crop.height)
+                        renderPixel(position, sampleEnd, deadline, counters[thread]);
                 });
     gpu::RenderCounters sum{};
     for (const gpu::RenderCounters& part : counters)
@@ -45,22 +59,16 @@ gpu::RenderCounters ReferenceBlock::renderTiles(TileRange tiles, uint32_t sample
     return sum;
 }
 
-gpu::RenderCounters ReferenceBlock::renderTile(uint32_t tile, uint32_t sampleEnd) {
-    const Crop& crop = settings_.crop;
-    const uint32_t x = tile % tilesAlong(crop.width) * gpu::kTileSize;
-    const uint32_t y = tile / tilesAlong(crop.width) * gpu::kTileSize;
-    gpu::RenderCounters counters{};
-    for (uint32_t j = y; j < std::min(y + gpu::kTileSize, crop.height); ++j)
-        for (uint32_t i = x; i < std::min(x + gpu::kTileSize, crop.width); ++i)
-            add(counters, renderPixel({i, j}, sampleEnd));
-    return counters;
-}
-
-gpu::RenderCounters ReferenceBlock::renderPixel(glm::uvec2 position, uint32_t sampleEnd) {
+void ReferenceBlock::renderPixel(glm::uvec2 position, uint32_t sampleEnd,
+                                 std::chrono::steady_clock::time_point deadline,
+                                 gpu::RenderCounters& counters) {
     const Crop& crop = settings_.crop;
     Pixel& pixel = pixels_[size_t{position.y} * crop.width + position.x];
-    gpu::RenderCounters counters{};
     for (; pixel.sampleCount < sampleEnd; ++pixel.sampleCount) {
+        if (counters.paths > 0 && std::chrono::steady_clock::now() > deadline) {
+            ++counters.unfinishedPixels;
+            return;
+        }
         const auto [radiance, rays] =
             tracer_.trace({position + glm::uvec2(crop.x, crop.y), firstSample_ + pixel.sampleCount,
                            settings_.seed});
@@ -70,7 +78,6 @@ gpu::RenderCounters ReferenceBlock::renderPixel(glm::uvec2 position, uint32_t sa
         ++counters.paths;
         counters.nonFiniteSamples += finite ? 0 : 1;
     }
-    return counters;
 }
 
 std::span<const glm::vec4> ReferenceBlock::readBlock() {

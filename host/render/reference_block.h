@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -19,6 +20,7 @@ public:
 
     uint32_t tileCount() const override;
     void beginBlock(uint32_t firstSample) override;
+    /// For about a fifth of a second.
     gpu::RenderCounters renderTiles(TileRange tiles, uint32_t sampleEnd) override;
     std::span<const glm::vec4> readBlock() override;
 
@@ -28,8 +30,10 @@ private:
         uint32_t sampleCount = 0;
     };
 
-    gpu::RenderCounters renderTile(uint32_t tile, uint32_t sampleEnd);
-    gpu::RenderCounters renderPixel(glm::uvec2 position, uint32_t sampleEnd);
+    /// Brings a pixel to `sampleEnd` samples, or as far as it gets by `deadline`, but takes one
+    /// sample at least if the counters know of none.
+    void renderPixel(glm::uvec2 position, uint32_t sampleEnd,
+                     std::chrono::steady_clock::time_point deadline, gpu::RenderCounters& counters);
 
     const reference::ReferenceTracer& tracer_;
     RenderSettings settings_;

@@ -14,7 +14,8 @@ FirstHitImage referenceFirstHits(const reference::ReferenceTracer& tracer,
     FirstHitImage hits(crop.width, crop.height);
     for (uint32_t begin = 0; begin < crop.height; begin += kRowsAtOnce) {
         const uint32_t end = std::min(begin + kRowsAtOnce, crop.height);
-        parallelFor(begin, end, threads, [&](uint32_t y, uint32_t) {
+        parallelFor(begin, end, threads, [&](uint64_t row, uint32_t) {
+            const auto y = static_cast<uint32_t>(row);
             for (uint32_t x = 0; x < crop.width; ++x)
                 hits.at(x, y) = tracer.firstHit({crop.x + x, crop.y + y});
         });

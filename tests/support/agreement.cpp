@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <gtest/gtest.h>
+
 #include "base/check.h"
 #include "shared/limits.h"
 #include "support/statistics.h"
@@ -54,8 +56,11 @@ void renderWholeBlock(BlockTracer& tracer) {
     uint32_t done = 0;
     while (done < tracer.tileCount()) {
         const uint32_t count = std::min(tracer.tileCount() - done, 64u);
-        if (tracer.renderTiles({done, count}, gpu::kSamplesPerBlock).unfinishedPixels == 0)
-            done += count;
+        const gpu::RenderCounters counters =
+            tracer.renderTiles({done, count}, gpu::kSamplesPerBlock);
+        EXPECT_EQ(counters.nonFiniteSamples, 0u);
+        EXPECT_EQ(counters.cutPaths, 0u);
+        done += counters.unfinishedPixels == 0 ? count : 0;
     }
 }
 
@@ -111,10 +116,9 @@ PairedDifference comparePaired(const TileMeans& a, const TileMeans& b) {
             differences.push_back(ofA[block] - ofB[block]);
         const Estimate difference = estimate(differences);
         const double mean = estimate(ofB).mean;
-        if (mean > 0.0) {
-            result.relative[channel] = difference.mean / mean;
-            result.standardError[channel] = difference.standardError / mean;
-        }
+        EXPECT_GT(mean, 0.0) << "channel " << channel;
+        result.relative[channel] = difference.mean / mean;
+        result.standardError[channel] = difference.standardError / mean;
     }
     return result;
 }

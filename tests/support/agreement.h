@@ -25,7 +25,8 @@ private:
     std::vector<glm::dvec3> values_;
 };
 
-/// Renders whole blocks of samples of a picture whose sides are multiples of 8.
+/// Renders whole blocks of samples of a picture whose sides are multiples of 8. Fails the test
+/// where a sample is not finite or a path is cut.
 TileMeans renderTileMeans(BlockTracer& tracer, uint32_t width, uint32_t height, size_t blocks);
 
 /// How far two renderings of one scene from independent random numbers lie apart. Each z is a
@@ -40,7 +41,7 @@ struct Agreement {
 /// Welch's t-test over the blocks, on every tile and on the whole picture.
 Agreement compareIndependent(const TileMeans& a, const TileMeans& b);
 
-/// The difference of the picture's means relative to b's, by channel, and its standard error, of
+/// The difference of the picture's means relative to b's (above 0), by channel, and its error, of
 /// two renderings from the same random numbers: block by block, so that what both do alike cancels.
 struct PairedDifference {
     glm::dvec3 relative{0.0};
