@@ -24,8 +24,8 @@ struct SimilarityTransform {
     RigidTransform rigid;
 };
 
-/// Whether `m` flattens space: the volume spanned by its normalised columns is below 1e-12, a column
-/// is zero, or one is 1e100 times as long as another. Otherwise any finite size is fine.
+/// Whether `m` flattens space: the volume spanned by its normalised columns is below 1e-12, a
+/// column is zero, or one is 1e100 times as long as another. Otherwise any finite size is fine.
 bool isSingular(const glm::dmat3& m);
 
 /// Whether `m` turns left hands into right ones. `m` is not singular.
