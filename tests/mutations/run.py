@@ -82,10 +82,12 @@ def check_list(mutations):
 
 
 def choose(mutations, wishes):
-    """By number, or by a part of any text of the entry; all without a wish."""
+    """By number, target, or a part of any text of the entry; all without a wish."""
     def wanted(mutation, wish):
         if wish.isdigit():
             return mutation["number"] == int(wish)
+        if wish in TARGETS:
+            return mutation["target"] == wish
         return any(wish.lower() in mutation[key].lower() for key in KEYS)
 
     return [mutation for mutation in mutations
@@ -248,8 +250,9 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--check", action="store_true",
                         help="only check that every fault can be planted and names real tests")
-    parser.add_argument("wish", nargs="*", metavar="NUMBER|TEXT",
-                        help="faults to plant: by number, or by a part of the entry; default: all")
+    parser.add_argument("wish", nargs="*", metavar="NUMBER|TARGET|TEXT",
+                        help="faults to plant: by number, by target, or by a part of the entry; "
+                             "default: all")
     arguments = parser.parse_args()
     mutations = choose(load_mutations(), arguments.wish)
     if not mutations:
