@@ -25,7 +25,7 @@ function(calotype_embed_kernels target)
         set(module ${output_dir}/${name}.spv)
         set(header ${output_dir}/${name}.spv.h)
         add_custom_command(
-            OUTPUT ${header}
+            OUTPUT ${module} ${header} # the module first: the dependency file names it
             COMMAND ${GLSLANG_VALIDATOR} --quiet -V --target-env vulkan1.2 -g0
                     -I${PROJECT_SOURCE_DIR}/shaders -I${CMAKE_CURRENT_SOURCE_DIR}
                     --depfile ${module}.d -o ${module} ${source}

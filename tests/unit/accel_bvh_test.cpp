@@ -50,6 +50,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Input{"Nothing", {}}, Input{"One", randomBoxes(1)},
         Input{"TwoKinds", {boxAt({}, {}, PrimitiveKind::Quadric), boxAt({}, {})}},
+        Input{"OneMoreThanALeafHolds",
+              std::vector<Primitive>(gpu::kMaxLeafPrimitives + 1, boxAt({}))},
         Input{"Five", randomBoxes(5)}, Input{"AThousand", randomBoxes(1000)},
         Input{"AHundredThousand", randomBoxes(100'000)},
         Input{"OnePoint", std::vector<Primitive>(1000, boxAt({1, 2, 3}, {}))},

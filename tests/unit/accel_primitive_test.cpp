@@ -1,3 +1,6 @@
+#include <cmath>
+
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include "accel/primitive.h"
@@ -29,6 +32,22 @@ Shape randomQuadric(uint32_t kind, RandomNumbers& random) {
     return shapeOf(Disk{frame, size});
 }
 
+/// The point of the packed surface that lies farthest along the unit vector w.
+glm::dvec3 farthestPoint(const gpu::Quadric& quadric, const glm::dvec3& w) {
+    const glm::dvec3 center(quadric.center);
+    const glm::dvec3 axis(quadric.axisY);
+    const double along = glm::dot(w, axis);
+    if (quadric.kind == gpu::kSphere)
+        return center + double{quadric.radius} * w;
+    const glm::dvec3 rim = double{quadric.radius} * glm::normalize(w - along * axis);
+    if (quadric.kind == gpu::kCylinder)
+        return center + std::copysign(0.5 * quadric.extent, along) * axis + rim;
+    if (quadric.kind == gpu::kDisk)
+        return center + rim;
+    const glm::dvec3 fromApex = double{quadric.extent} * axis + rim;
+    return glm::dot(w, fromApex) > 0.0 ? center + fromApex : center;
+}
+
 class QuadricBounds : public testing::TestWithParam<uint32_t> {};
 
 TEST_P(QuadricBounds, HoldThePackedSurfaceAndLittleMore) {
@@ -44,6 +63,13 @@ TEST_P(QuadricBounds, HoldThePackedSurfaceAndLittleMore) {
             ASSERT_TRUE(holds(bounds, p) && holds(bounds, glm::dvec3(glm::vec3(p))));
             sampled.extend(p);
         }
+        for (int axis = 0; axis < 3; ++axis)
+            for (const double sign : {-1.0, 1.0}) {
+                glm::dvec3 w(0.0);
+                w[axis] = sign;
+                const glm::dvec3 p = farthestPoint(packed, w);
+                ASSERT_TRUE(holds(bounds, p) && holds(bounds, glm::dvec3(glm::vec3(p))));
+            }
         // 1000 random points come near to each side of the tightest box.
         const glm::dvec3 slack = 0.35 * sampled.extent() +
                                  2e-5 * (glm::abs(sampled.lower) + glm::abs(sampled.upper)) +

@@ -1,0 +1,268 @@
+#!/usr/bin/env python3
+"""Plants each fault of mutations.json in a copy of the project, and expects a test to fail.
+
+Exits 0 if every fault chosen is caught and every test passes without it, 1 if not, 2 for wrong
+usage or a list that does not fit the code. See README.md.
+"""
+
+import argparse
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+LIST = pathlib.Path(__file__).resolve().with_name("mutations.json")
+WORK = ROOT / "build" / "mutations"
+TARGETS = ("unit", "gpu", "image", "extremes", "cli")
+KEYS = ("fault", "file", "from", "to", "target", "filter")
+# The slowest filter takes a minute on two cores; a fault that never ends is not caught.
+TEST_SECONDS = 600
+
+
+class ListError(Exception):
+    """What is wrong with the list, in one sentence."""
+
+
+# --- The list -------------------------------------------------------------------------------------
+
+
+def load_mutations():
+    mutations = json.loads(LIST.read_text(encoding="utf-8"))
+    for number, mutation in enumerate(mutations, start=1):
+        mutation["number"] = number
+    return mutations
+
+
+def check_mutation(mutation, test_sources):
+    """Throws ListError unless the fault can be planted and its tests exist."""
+    if tuple(key for key in mutation if key != "number") != KEYS:
+        raise ListError(f"has not the keys {', '.join(KEYS)}, in this order")
+    if "\n" in mutation["from"] + mutation["to"] or mutation["from"] == mutation["to"]:
+        raise ListError("has to change one line")
+    path = ROOT / mutation["file"]
+    if not path.is_file():
+        raise ListError(f"names {mutation['file']}, which is no file")
+    count = path.read_text(encoding="utf-8").count(mutation["from"])
+    if count != 1:
+        raise ListError(f"has a text that occurs {count} times in {mutation['file']}, not once: "
+                        f"{mutation['from']}")
+    if mutation["target"] not in TARGETS:
+        raise ListError(f"has a target that is none of {', '.join(TARGETS)}")
+    for pattern in mutation["filter"].split(":"):
+        match = re.fullmatch(r"\*?(\w+)\.(\w+)(/\S+)?", pattern)
+        if not match:
+            raise ListError(f"has a filter that does not name suite and test in full: {pattern}")
+        test = re.compile(rf"TEST(_F|_P)?\(\s*{match[1]},\s*{match[2]}\s*\)")
+        if not test.search(test_sources[mutation["target"]]):
+            raise ListError(f"names {match[1]}.{match[2]}, which is no test in "
+                            f"tests/{mutation['target']}")
+
+
+def check_list(mutations):
+    """Says on stderr what is wrong with the list; True if nothing is."""
+    test_sources = {
+        target: "".join(path.read_text(encoding="utf-8")
+                        for path in (ROOT / "tests" / target).glob("*.cpp"))
+        for target in TARGETS
+    }
+    sound = True
+    for mutation in mutations:
+        try:
+            check_mutation(mutation, test_sources)
+        except ListError as error:
+            print(f"mutations.json: entry {mutation['number']} ({mutation.get('fault')}) {error}",
+                  file=sys.stderr)
+            sound = False
+    return sound
+
+
+def choose(mutations, wishes):
+    """By number, target, or a part of any text of the entry; all without a wish."""
+    def wanted(mutation, wish):
+        if wish.isdigit():
+            return mutation["number"] == int(wish)
+        if wish in TARGETS:
+            return mutation["target"] == wish
+        return any(wish.lower() in mutation[key].lower() for key in KEYS)
+
+    return [mutation for mutation in mutations
+            if not wishes or any(wanted(mutation, wish) for wish in wishes)]
+
+
+# --- The copy -------------------------------------------------------------------------------------
+
+
+def project_files():
+    """Relative paths of what is tracked, or untracked and not ignored."""
+    listed = subprocess.run(
+        ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
+        cwd=ROOT, check=True, capture_output=True, text=True).stdout
+    return [path for path in listed.split("\0") if path and (ROOT / path).is_file()]
+
+
+def synchronise(source):
+    """Makes `source` equal to the project. Equal files keep their times, so that builds are short."""
+    files = project_files()
+    for file in files:
+        original, copy = ROOT / file, source / file
+        if not copy.is_file() or copy.read_bytes() != original.read_bytes():
+            copy.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(original, copy)
+    known = {source / file for file in files}
+    for folder in {pathlib.PurePath(file).parts[0] for file in files if "/" in file}:
+        for path in (source / folder).rglob("*"):
+            if path.is_file() and path not in known:
+                path.unlink()
+
+
+class Planted:
+    """Holds a fault in the copy for as long as the `with` block lasts."""
+
+    def __init__(self, source, mutation):
+        self.path = source / mutation["file"]
+        self.mutation = mutation
+
+    def __enter__(self):
+        self.original = self.path.read_text(encoding="utf-8")
+        self.path.write_text(self.original.replace(self.mutation["from"], self.mutation["to"]),
+                             encoding="utf-8")
+
+    def __exit__(self, *_):
+        self.path.write_text(self.original, encoding="utf-8")
+
+
+# --- Building and testing -------------------------------------------------------------------------
+
+
+class Project:
+    """The copy and its build."""
+
+    def __init__(self, work):
+        work.mkdir(parents=True, exist_ok=True)
+        self.source = work / "source"
+        self.build_folder = work / "build"
+        self.report = work / "report.json"
+        self.source.mkdir(exist_ok=True)
+        synchronise(self.source)
+        self.source = self.source.resolve()
+        subprocess.run(["cmake", "--preset", "release", "-B", self.build_folder.resolve(),
+                        "-DCALOTYPE_BUILD_TESTS=ON", "--log-level=WARNING"],
+                       cwd=self.source, check=True, stdout=subprocess.DEVNULL)
+
+    def build(self, target):
+        """The compiler's words where it fails, else None."""
+        done = subprocess.run(
+            ["cmake", "--build", self.build_folder, "--target", f"{target}_tests"],
+            capture_output=True, text=True)
+        return done.stdout + done.stderr if done.returncode != 0 else None
+
+    def test(self, target, test_filter):
+        """Runs the tests: (what happened, names of those that failed). What happened is "passed",
+        "failed", "nothing ran", "crashed" or "timed out"."""
+        self.report.unlink(missing_ok=True)
+        program = self.build_folder.resolve() / "tests" / f"{target}_tests"
+        try:
+            done = subprocess.run(
+                [program, f"--gtest_filter={test_filter}", f"--gtest_output=json:{self.report}"],
+                cwd=self.source, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                timeout=TEST_SECONDS)
+        except subprocess.TimeoutExpired:
+            return "timed out", []
+        if done.returncode not in (0, 1) or not self.report.exists():
+            return "crashed", []
+        return self.outcome(json.loads(self.report.read_text(encoding="utf-8")))
+
+    @staticmethod
+    def outcome(report):
+        ran = 0
+        failed = []
+        for suite in report["testsuites"]:
+            for test in suite["testsuite"]:
+                ran += test["result"] == "COMPLETED"
+                if "failures" in test:
+                    names = f"{suite['name'].split('/')[-1]}.{test['name'].split('/')[0]}"
+                    failed.append(names)
+        if failed:
+            return "failed", failed
+        return ("passed" if ran > 0 else "nothing ran"), []
+
+
+def names_with_counts(failed):
+    return ", ".join(name if failed.count(name) == 1 else f"{name} ({failed.count(name)})"
+                     for name in dict.fromkeys(failed))
+
+
+def unmutated_passes(project, mutations):
+    """Builds what is needed, and runs every filter on the code as it is."""
+    passes = True
+    for target in dict.fromkeys(mutation["target"] for mutation in mutations):
+        error = project.build(target)
+        if error:
+            print(f"the project does not build:\n{error}", file=sys.stderr)
+            return False
+    for target, test_filter in dict.fromkeys((m["target"], m["filter"]) for m in mutations):
+        result, failed = project.test(target, test_filter)
+        if result != "passed":
+            print(f"without any fault: {target} {test_filter}: {result} "
+                  f"{names_with_counts(failed)}", file=sys.stderr)
+            passes = False
+    return passes
+
+
+def catch(project, mutation):
+    """By what the fault is caught, or None with what happened instead on stderr."""
+    with Planted(project.source, mutation):
+        error = project.build(mutation["target"])
+        if error:
+            result = f"does not build:\n{error}"
+        else:
+            result, failed = project.test(mutation["target"], mutation["filter"])
+            if result == "failed":
+                return names_with_counts(failed)
+    print(f"entry {mutation['number']} is not caught: {result}", file=sys.stderr)
+    return None
+
+
+def run(mutations):
+    started = time.monotonic()
+    project = Project(WORK)
+    if not unmutated_passes(project, mutations):
+        return False
+    print("| # | fault | planted in | caught by |\n|---|---|---|---|", flush=True)
+    caught = 0
+    for mutation in mutations:
+        by = catch(project, mutation)
+        caught += by is not None
+        print(f"| {mutation['number']} | {mutation['fault']} | `{mutation['file']}` | "
+              f"{by or '**nothing**'} |", flush=True)
+    minutes = (time.monotonic() - started) / 60.0
+    print(f"\n{caught} of {len(mutations)} faults caught, in {minutes:.0f} minutes on "
+          f"{os.cpu_count()} cores.")
+    return caught == len(mutations)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--check", action="store_true",
+                        help="only check that every fault can be planted and names real tests")
+    parser.add_argument("wish", nargs="*", metavar="NUMBER|TARGET|TEXT",
+                        help="faults to plant: by number, by target, or by a part of the entry; "
+                             "default: all")
+    arguments = parser.parse_args()
+    mutations = choose(load_mutations(), arguments.wish)
+    if not mutations:
+        parser.error("no entry of mutations.json is meant by " + " ".join(arguments.wish))
+    if not check_list(mutations):
+        return 2
+    if arguments.check:
+        return 0
+    return 0 if run(mutations) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
