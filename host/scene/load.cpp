@@ -7,6 +7,7 @@
 #include "scene/load_context.h"
 #include "scene/model_scene.h"
 #include "scene/names.h"
+#include "scene/precision_warnings.h"
 #include "scene/read_color.h"
 #include "scene/read_file.h"
 #include "scene/read_lights.h"
@@ -100,6 +101,7 @@ Scene loadScene(const std::string& path, const LoadOptions& options) {
                                                "textures", "materials", "shapes", "lights"}),
         context);
     warnOfExcessEnergy(context);
+    warnOfLostPrecision(context);
     warnIfBlack(context, path);
     context.scene.hash = context.hash.value();
     return std::move(context.scene);

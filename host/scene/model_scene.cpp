@@ -13,6 +13,7 @@
 #include "scene/frame_camera.h"
 #include "scene/load_context.h"
 #include "scene/names.h"
+#include "scene/precision_warnings.h"
 #include "scene/read_file.h"
 #include "scene/read_shapes.h"
 
@@ -157,6 +158,7 @@ Scene loadModelScene(const std::string& path, const LoadOptions& options) {
         addLight(plan, extent, context);
     }
     warnOfExcessEnergy(context);
+    warnOfLostPrecision(context);
     scene.hash = context.hash.value();
     return std::move(context.scene);
 }

@@ -1,0 +1,159 @@
+#include "scene/precision_warnings.h"
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <glm/common.hpp>
+
+#include "scene/material_textures.h"
+#include "scene/names.h"
+
+namespace calotype {
+namespace {
+
+std::string rounded(double number) {
+    std::ostringstream text;
+    text.precision(2);
+    text << number;
+    return text.str();
+}
+
+/// Where a texture is read farthest from the origin of its coordinates.
+struct FarthestLookup {
+    double texels = 0.0;
+    size_t shape = 0;
+};
+
+/// A texture's texels between its origin and anything read at coordinates up to `farthestUv`.
+double texelsTo(const Texture& texture, const glm::dvec2& farthestUv) {
+    glm::dvec2 size(1.0);
+    if (const auto* image = std::get_if<ImageTexture>(&texture.source)) {
+        size = {image->image->width, image->image->height};
+    }
+    const glm::dvec2 position = farthestUv * glm::abs(texture.scale) + glm::abs(texture.offset);
+    return std::max(position.x * size.x, position.y * size.y);
+}
+
+class TextureReach {
+public:
+    explicit TextureReach(const Scene& scene) : scene_(scene), farthest_(scene.textures.size()) {
+        for (size_t i = 0; i < scene.shapes.size(); ++i) {
+            if (const auto* mesh = std::get_if<Mesh>(&scene.shapes[i].geometry)) {
+                addMesh(*mesh, i);
+            } else {
+                add(scene.shapes[i].material, glm::dvec2(1.0), i);
+            }
+        }
+    }
+
+    const std::vector<FarthestLookup>& farthest() const { return farthest_; } ///< by texture
+
+private:
+    void addMesh(const Mesh& mesh, size_t shape) {
+        std::map<uint32_t, glm::dvec2> farthestUv; // by material
+        for (const Mesh::Triangle& triangle : mesh.triangles) {
+            if (triangle.uv[0] == Mesh::kNoUv ||
+                !hasTextures(scene_.materials[triangle.material])) {
+                continue;
+            }
+            glm::dvec2& uv = farthestUv[triangle.material];
+            for (const uint32_t corner : triangle.uv) {
+                uv = glm::max(uv, glm::abs(mesh.uvs[corner]));
+            }
+        }
+        for (const auto& [material, uv] : farthestUv) {
+            add(material, uv, shape);
+        }
+    }
+
+    void add(uint32_t material, const glm::dvec2& farthestUv, size_t shape) {
+        for (uint32_t Material::*slot : kMaterialTextures) {
+            const uint32_t texture = scene_.materials[material].*slot;
+            if (texture == Material::kNoTexture) {
+                continue;
+            }
+            const double texels = texelsTo(scene_.textures[texture], farthestUv);
+            if (texels > farthest_[texture].texels) {
+                farthest_[texture] = {texels, shape};
+            }
+        }
+    }
+
+    const Scene& scene_;
+    std::vector<FarthestLookup> farthest_;
+};
+
+/// One sentence for all textures that a shape reads farther out than others do.
+void warnOfFarTexels(LoadContext& context) {
+    struct Excess {
+        double texels = 0.0;
+        std::vector<std::string> names;
+    };
+    const std::vector<FarthestLookup> farthest = TextureReach(context.scene).farthest();
+    std::map<size_t, Excess> excesses; // by shape
+    for (size_t i = 0; i < farthest.size(); ++i) {
+        if (farthest[i].texels > kFarthestTexel) {
+            Excess& excess = excesses[farthest[i].shape];
+            excess.texels = std::max(excess.texels, farthest[i].texels);
+            excess.names.push_back(context.scene.textures[i].name);
+        }
+    }
+    for (const auto& [shape, excess] : excesses) {
+        context.warn(context.scene.shapes[shape].place,
+                     "textures are read up to " + rounded(excess.texels) +
+                         " texels from their origin, where single precision is off by up to " +
+                         rounded(0.5 * excess.texels / kFarthestTexel) +
+                         " of them (take whole numbers off the texture coordinates, or repeat the "
+                         "textures less): " +
+                         listInQuotes(excess.names));
+    }
+}
+
+/// A measure along over one across, or 1 for shapes that are thin in no way.
+double proportionOf(const Shape& shape) {
+    if (const auto* cylinder = std::get_if<Cylinder>(&shape.geometry)) {
+        return cylinder->height / cylinder->radius;
+    }
+    const auto* cone = std::get_if<Cone>(&shape.geometry);
+    return cone ? cone->slope : 1.0;
+}
+
+/// One sentence for all, at the thinnest.
+void warnOfThinQuadrics(LoadContext& context) {
+    constexpr double kRounding = 1e-9; // 1e-4 has no exact inverse
+    const Shape* thinnest = nullptr;
+    double greatest = 0.0;
+    size_t count = 0;
+    for (const Shape& shape : context.scene.shapes) {
+        const double proportion = proportionOf(shape);
+        const double excess = std::max(proportion, 1.0 / proportion);
+        if (excess <= kThinnestProportion * (1.0 + kRounding)) {
+            continue;
+        }
+        ++count;
+        if (excess > greatest) {
+            greatest = excess;
+            thinnest = &shape;
+        }
+    }
+    if (thinnest != nullptr) {
+        const bool isCone = std::holds_alternative<Cone>(thinnest->geometry);
+        context.warn(thinnest->place,
+                     std::string("the ") + (isCone ? "cone" : "cylinder") + " is " +
+                         rounded(greatest) + " times larger one way than the other" +
+                         (count > 1 ? ", the most of " + std::to_string(count) + " so thin" : "") +
+                         "; beyond 1e4 single precision lets light through its edges");
+    }
+}
+
+} // namespace
+
+void warnOfLostPrecision(LoadContext& context) {
+    warnOfFarTexels(context);
+    warnOfThinQuadrics(context);
+}
+
+} // namespace calotype

@@ -1,0 +1,103 @@
+// When a scene is said to ask for more than single precision resolves, where and in which words.
+#include "scene/model_scene.h"
+#include "unit/image_files.h"
+#include "unit/scene_files.h"
+
+namespace calotype::test {
+namespace {
+
+class PrecisionWarnings : public testing::Test {
+protected:
+    /// Those of a scene with a shape of the material "m", whose color is the texture "t".
+    std::vector<std::string> warningsOf(const std::string& shape, const std::string& texture) {
+        files_.write("two.png", pngOf({255, 255, 255, 255}));
+        nlohmann::json scene = sceneWithShape(shape);
+        scene["textures"]["t"] = nlohmann::json::parse(texture);
+        scene["materials"]["m"] = nlohmann::json::parse(R"({"type": "diffuse", "color": "t"})");
+        return ofPrecision(files_.load(scene).warnings);
+    }
+
+    static std::vector<std::string> ofPrecision(std::vector<std::string> warnings) {
+        std::erase_if(warnings, [](const std::string& warning) {
+            return warning.find("single precision") == std::string::npos;
+        });
+        return warnings;
+    }
+
+    std::vector<std::string> warningsOfQuadric(const std::string& shape) {
+        return warningsOf(shape, R"({"type": "checker", "colors": [0, 1]})");
+    }
+
+    static std::string quadAt(double uv) {
+        const std::string far = std::to_string(uv);
+        return R"({"type": "quad", "material": "m",
+                   "vertices": [[0,0,0],[1,0,0],[1,1,0],[0,1,0]],
+                   "uvs": [[0,0],[)" +
+               far + ",0],[" + far + ",1],[0,1]]}";
+    }
+
+    SceneFiles files_;
+};
+
+TEST_F(PrecisionWarnings, OfTexturesReadFarFromTheirOrigin) {
+    const std::string image = R"({"type": "image", "file": "two.png"})";
+    const auto warnings = warningsOf(quadAt(2.0 * 0x1p20), image);
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_NE(warnings[0].find("/shapes/0: textures are read up to 4.2e+06 texels from their"),
+              std::string::npos)
+        << warnings[0];
+    EXPECT_NE(warnings[0].find("is off by up to 2 of them"), std::string::npos) << warnings[0];
+    EXPECT_NE(warnings[0].find(": \"t\""), std::string::npos) << warnings[0];
+    EXPECT_TRUE(warningsOf(quadAt(100.0), image).empty());
+}
+
+TEST_F(PrecisionWarnings, CountTheScaleAndNotTheCheckersSize) {
+    const std::string checker = R"({"type": "checker", "colors": [0, 1], "scale": [1024, 1]})";
+    EXPECT_TRUE(warningsOf(quadAt(1024.0), checker).empty());
+    EXPECT_EQ(warningsOf(quadAt(1025.0), checker).size(), 1u);
+}
+
+TEST_F(PrecisionWarnings, OfAModelFilesTexturesInOneSentence) {
+    files_.write("two.png", pngOf({255, 255, 255, 255}));
+    files_.write("m.mtl", "newmtl a\nmap_Kd two.png\nnewmtl b\nmap_Kd -s 3 3 3 two.png\n");
+    const std::string model = files_.write("m.obj", "mtllib m.mtl\n"
+                                                    "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
+                                                    "vt 0 0\nvt 1e6 0\nvt 0 1\n"
+                                                    "usemtl a\nf 1/1 2/2 3/3\n"
+                                                    "usemtl b\nf 1/1 2/2 3/3\n");
+    const auto warnings = ofPrecision(loadModelScene(model, {}).warnings);
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_NE(warnings[0].find("read up to 6e+06 texels"), std::string::npos) << warnings[0];
+}
+
+TEST_F(PrecisionWarnings, OfWhatIsTooThin) {
+    for (const char* solid :
+         {R"({"type": "cylinder", "radius": 1, "height": 1e4, "material": "m"})",
+          R"({"type": "cylinder", "radius": 1, "height": 1e-4, "material": "m"})",
+          R"({"type": "cone", "apex": [0, 0, 0], "height": 3, "slope": 1e-4, "material": "m"})"})
+        EXPECT_TRUE(warningsOfQuadric(solid).empty()) << solid;
+    for (const char* thin :
+         {R"({"type": "cylinder", "radius": 1, "height": 2e4, "material": "m"})",
+          R"({"type": "cylinder", "radius": 1, "height": 5e-5, "material": "m"})",
+          R"({"type": "cone", "apex": [0, 0, 0], "height": 3, "slope": 2e4, "material": "m"})"}) {
+        const auto warnings = warningsOfQuadric(thin);
+        ASSERT_EQ(warnings.size(), 1u) << thin;
+        EXPECT_NE(warnings[0].find("2e+04 times larger one way than the other"), std::string::npos)
+            << warnings[0];
+    }
+}
+
+TEST_F(PrecisionWarnings, OfManyThinShapesInOneSentence) {
+    nlohmann::json scene = plainScene();
+    for (const double height : {1.0, 2e4, 3e5, 1e-5})
+        scene["shapes"].push_back(
+            {{"type", "cylinder"}, {"radius", 1}, {"height", height}, {"material", "wall"}});
+    const auto warnings = ofPrecision(files_.load(scene).warnings);
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_NE(warnings[0].find("/shapes/2: the cylinder is 3e+05 times larger"), std::string::npos)
+        << warnings[0];
+    EXPECT_NE(warnings[0].find("the most of 3 so thin"), std::string::npos) << warnings[0];
+}
+
+} // namespace
+} // namespace calotype::test
