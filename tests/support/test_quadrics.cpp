@@ -13,8 +13,7 @@ void setFrame(gpu::Quadric& quadric, const glm::dmat3& rotation) {
     quadric.axisZ = glm::vec3(rotation[2]);
 }
 
-void setSize(gpu::Quadric& quadric, double scale, RandomNumbers& random) {
-    const double proportion = random.powerOfTen(-1.3, 1.3);
+void setSize(gpu::Quadric& quadric, double scale, double proportion, RandomNumbers& random) {
     quadric.radius = static_cast<float>(scale);
     if (quadric.kind == gpu::kCylinder)
         quadric.extent = static_cast<float>(scale * proportion);
@@ -50,14 +49,16 @@ std::string nameOf(uint32_t quadricKind) {
     return kNames[quadricKind];
 }
 
-std::vector<gpu::Quadric> variedQuadrics(uint32_t kind, RandomNumbers& random) {
+std::vector<gpu::Quadric> variedQuadrics(uint32_t kind, RandomNumbers& random,
+                                         std::optional<double> proportion) {
     std::vector<gpu::Quadric> quadrics;
     for (const double scale : {1e-3, 1.0, 1e3}) {
         for (uint32_t i = 0; i < 12; ++i) {
             gpu::Quadric quadric{};
             quadric.kind = kind;
             setFrame(quadric, i % 2 == 0 ? glm::dmat3(1.0) : randomRotation(random));
-            setSize(quadric, scale, random);
+            setSize(quadric, scale, proportion ? *proportion : random.powerOfTen(-1.3, 1.3),
+                    random);
             if (i >= 4)
                 quadric.center =
                     glm::vec3(random.direction() * (scale * random.powerOfTen(-1.0, 3.0)));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,10 @@ inline constexpr std::array kAllQuadricKinds = {gpu::kSphere, gpu::kCylinder, gp
 std::string nameOf(uint32_t quadricKind);
 
 /// Quadrics of one kind at the scales 1e-3, 1 and 1e3, in the world's frame and in random ones, at
-/// the origin and up to 1000 sizes away from it, of proportions from 0.05 to 20.
-std::vector<gpu::Quadric> variedQuadrics(uint32_t kind, RandomNumbers& random);
+/// the origin and up to 1000 radii away from it. The `proportion` of a cylinder is its height over
+/// its radius, that of a cone its slope; by default each has its own, from 0.05 to 20.
+std::vector<gpu::Quadric> variedQuadrics(uint32_t kind, RandomNumbers& random,
+                                         std::optional<double> proportion = std::nullopt);
 
 /// A random rotation.
 glm::dmat3 randomRotation(RandomNumbers& random);

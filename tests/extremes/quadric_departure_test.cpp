@@ -1,0 +1,123 @@
+// Rays that leave cylinders and cones of extreme proportions from where offsetFromSurface puts
+// them: to the outside they never meet the convex shape again, to the inside always.
+#include <iostream>
+
+#include "extremes/close_ups.h"
+#include "gpu/primitive_scene.h"
+#include "gpu/quadric_errors.h"
+#include "scene/precision_warnings.h"
+#include "support/gpu_test.h"
+#include "support/oracle_quadric.h"
+#include "support/test_quadrics.h"
+
+namespace calotype::test {
+namespace {
+
+constexpr float kFar = 1e19f;
+constexpr uint32_t kRaysPerQuadric = 2000;
+
+/// From points of the surface, along and against its normal and all between, down to a cosine of
+/// 1e-3.
+class Departures {
+public:
+    Departures(const std::vector<gpu::Quadric>& quadrics, RandomNumbers& random) {
+        const PrimitiveScene scene = PrimitiveScene::ofQuadrics(quadrics);
+        std::vector<gpu::TestRay> arriving;
+        for (uint32_t i = 0; i < quadrics.size() * kRaysPerQuadric; ++i)
+            arriving.push_back(closeUpRay(quadrics, i / kRaysPerQuadric, random));
+        std::vector<gpu::TestOffset> points;
+        for (const gpu::TestHit& hit : scene.hits(arriving)) {
+            if (hit.t == kFar)
+                continue;
+            sides.push_back(random.sign());
+            const glm::vec3 normal = static_cast<float>(sides.back()) * hit.ng;
+            points.push_back({hit.position, hit.error, normal, 0.0f});
+            rays.push_back(testRay({}, leaving(glm::dvec3(normal), random), hit.primitive));
+        }
+        const std::vector<glm::vec3> origins = offsetPoints(points);
+        for (size_t i = 0; i < rays.size(); ++i)
+            rays[i].origin = origins[i];
+        hits = scene.hits(rays);
+    }
+
+    std::vector<double> sides; ///< 1: to the outside, -1: to the inside
+    std::vector<gpu::TestRay> rays;
+    std::vector<gpu::TestHit> hits;
+
+private:
+    static glm::dvec3 leaving(const glm::dvec3& normal, RandomNumbers& random) {
+        const glm::dvec3 direction = random.direction();
+        const double cosine = glm::dot(direction, normal);
+        return glm::normalize(direction + (std::max(std::abs(cosine), 1e-3) - cosine) * normal);
+    }
+};
+
+struct Mistakes {
+    uint32_t rays = 0;
+    uint32_t selfHits = 0;  ///< of rays to the outside
+    uint32_t wrongSide = 0; ///< rays to the inside that start outside
+    uint32_t escapes = 0;   ///< rays from inside that meet nothing
+    std::string example;
+};
+
+/// Whether some surface within rounding of the quadric's is missed.
+bool mayMiss(const gpu::Quadric& quadric, const gpu::TestRay& ray) {
+    const Line line = lineOf(ray);
+    const Real tolerance = kAllowedRoundoffs * kRoundoff * roundingScale(quadric, line, kInfinity);
+    return allowedAnswers(quadric, line, tolerance).miss;
+}
+
+Mistakes mistakesOf(uint32_t kind, double proportion) {
+    RandomNumbers random(231);
+    const auto quadrics = closeUpQuadrics(kind, proportion, random);
+    const Departures departures(quadrics, random);
+    Mistakes mistakes;
+    mistakes.rays = static_cast<uint32_t>(departures.rays.size());
+    for (size_t i = 0; i < departures.rays.size(); ++i) {
+        const gpu::TestRay& ray = departures.rays[i];
+        const gpu::Quadric& quadric = quadrics[ray.primitive & ~gpu::kQuadricBit];
+        const bool hit = departures.hits[i].t < kFar;
+        const bool isInside = insideQuadric(quadric, lineOf(ray), 0.0L).contains(0.0L);
+        const bool outward = departures.sides[i] > 0.0;
+        mistakes.selfHits += outward && hit ? 1 : 0;
+        mistakes.wrongSide += !outward && !isInside ? 1 : 0;
+        mistakes.escapes += !outward && isInside && !hit && !mayMiss(quadric, ray) ? 1 : 0;
+        if (hit == outward)
+            mistakes.example = describe(quadric, ray, departures.hits[i].t);
+    }
+    std::cout << mistakes.rays << " rays, " << mistakes.selfHits << " meet their own side, "
+              << mistakes.wrongSide << " leave by the other face, " << mistakes.escapes
+              << " escape\n";
+    return mistakes;
+}
+
+using Parameter = std::tuple<uint32_t, double>;
+
+class QuadricDeparture : public GpuTest, public testing::WithParamInterface<Parameter> {};
+
+TEST_P(QuadricDeparture, NeitherMeetsItselfNorEscapes) {
+    const auto [kind, proportion] = GetParam();
+    const Mistakes mistakes = mistakesOf(kind, proportion);
+    EXPECT_GT(mistakes.rays, 36u * kRaysPerQuadric / 2);
+    EXPECT_EQ(mistakes.selfHits, 0u) << mistakes.example;
+    EXPECT_EQ(mistakes.escapes, 0u) << mistakes.example;
+    // At a rim or an apex the point moved inward by the one face may lie outside the other. A flat
+    // cone is a wedge of as little as its height along all of its rim: where that is thinner than
+    // the 14 roundings of the radius by which points are moved.
+    const double wedge = kind == gpu::kCone ? 2.0 * 14.0 * 0x1p-23 * proportion : 0.0;
+    EXPECT_LE(mistakes.wrongSide, (1e-3 + wedge) * mistakes.rays) << mistakes.example;
+    if (std::max(proportion, 1.0 / proportion) < 1.001 * kThinnestProportion) {
+        EXPECT_LE(mistakes.wrongSide, 1e-2 * mistakes.rays) << mistakes.example;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, QuadricDeparture,
+                         testing::Combine(testing::Values(gpu::kCylinder, gpu::kCone),
+                                          testing::Values(1e-5, 1e-4, 1e-3, 1e3, 1e4, 1e5)),
+                         [](const auto& instance) {
+                             return nameOf(std::get<0>(instance.param)) +
+                                    proportionName(std::get<1>(instance.param));
+                         });
+
+} // namespace
+} // namespace calotype::test

@@ -1,0 +1,55 @@
+// Inside cylinders and cones of extreme proportions that emit and reflect alike everywhere the
+// radiance is emission / (1 - albedo), wherever one looks: nothing leaks out of so thin a room.
+#include <iostream>
+
+#include "image/metrics.h"
+#include "image/scene_builder.h"
+#include "support/gpu_test.h"
+#include "support/render_scene.h"
+
+namespace calotype::test {
+namespace {
+
+struct Room {
+    std::string name;
+    Shape shape;
+    glm::dvec3 camera; ///< inside
+};
+
+std::vector<Room> rooms() {
+    const auto cylinder = [](double radius, double height) {
+        return makeShape(Cylinder{{}, radius, height}, 0);
+    };
+    const auto cone = [](double height, double slope) {
+        return makeShape(Cone{{}, height, slope}, 0);
+    };
+    return {{"LongCylinder", cylinder(1.0, 1e5), {0.3, 10.0, 0.2}},
+            {"FlatCylinder", cylinder(1e5, 1.0), {10.0, 0.2, 5.0}},
+            {"LongCone", cone(-1e5, 1e-5), {0.1, -5e4, 0.2}},
+            {"FlatCone", cone(1.0, 1e5), {10.0, 0.8, 5.0}}};
+}
+
+class QuadricFurnace : public GpuTest, public testing::WithParamInterface<Room> {};
+
+TEST_P(QuadricFurnace, ShowsRadianceOne) {
+    SceneBuilder builder;
+    builder.material(0.5, 0.5);
+    builder.add(GetParam().shape);
+    Scene& scene = builder.scene();
+    scene.film = {32, 32};
+    scene.render = {256, 20, 1};
+    scene.camera.position = GetParam().camera;
+    scene.camera.verticalFov = 1.5;
+    const RenderedScene result = renderScene(scene);
+    const double mean = imageMean(result.image).x;
+    std::cout << "mean " << mean << "\n";
+    EXPECT_NEAR(mean, 1.0, 1e-4); // the noise of 262,144 samples is about 1e-5
+    EXPECT_EQ(result.totals.nonFiniteSamples, 0u);
+    EXPECT_EQ(result.totals.cutPaths, 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, QuadricFurnace, testing::ValuesIn(rooms()),
+                         [](const auto& instance) { return instance.param.name; });
+
+} // namespace
+} // namespace calotype::test

@@ -1,0 +1,86 @@
+// Cylinders and cones a hundred thousand times longer than wide, and wider than long: every kind of
+// ray against extended precision, by backward error (gpu/quadric_errors.h).
+#include <iostream>
+
+#include "extremes/close_ups.h"
+#include "gpu/primitive_scene.h"
+#include "gpu/quadric_errors.h"
+#include "support/gpu_test.h"
+#include "support/test_quadrics.h"
+#include "support/test_rays.h"
+
+namespace calotype::test {
+namespace {
+
+constexpr float kFar = 1e19f;
+
+void expectWithinRounding(const std::vector<gpu::Quadric>& quadrics,
+                          const std::vector<gpu::TestRay>& rays) {
+    const auto hits = PrimitiveScene::ofQuadrics(quadrics).hits(rays);
+    QuadricErrors errors;
+    size_t met = 0;
+    for (size_t i = 0; i < rays.size(); ++i) {
+        errors.add(quadrics[rays[i].primitive & ~gpu::kQuadricBit], rays[i], hits[i]);
+        met += hits[i].t < kFar ? 1 : 0;
+    }
+    std::cout << rays.size() << " rays, " << met << " hits, roundoffs " << errors.roundoffs
+              << ", position " << errors.positionShare << " and normal " << errors.normalShare
+              << " of what they may be, " << errors.disagreements << " decided otherwise\n";
+    EXPECT_LE(errors.roundoffs, kAllowedRoundoffs) << errors.worstRay;
+    EXPECT_LE(errors.positionShare, 1.0) << errors.worstPosition;
+    EXPECT_LE(errors.normalShare, 1.0);
+}
+
+struct Parameter {
+    uint32_t kind;
+    double proportion;
+    uint32_t raysPerQuadric;
+};
+
+class QuadricProportion : public GpuTest, public testing::WithParamInterface<Parameter> {};
+
+TEST_P(QuadricProportion, EveryKindOfRayHitsASurfaceWithinRounding) {
+    const auto [kind, proportion, raysPerQuadric] = GetParam();
+    for (const RayKind rayKind : kAllRayKinds) {
+        SCOPED_TRACE(nameOf(rayKind));
+        RandomNumbers random(static_cast<uint32_t>(rayKind));
+        const std::vector<gpu::Quadric> quadrics = variedQuadrics(kind, random, proportion);
+        std::vector<gpu::TestRay> rays;
+        for (uint32_t i = 0; i < quadrics.size() * raysPerQuadric; ++i) {
+            const uint32_t index = i / raysPerQuadric;
+            const AimedRay ray = aimRay(rayKind, quadrics[index], random);
+            rays.push_back(testRay(ray.origin, ray.direction, index | gpu::kQuadricBit));
+        }
+        expectWithinRounding(quadrics, rays);
+    }
+}
+
+// Most rays of the kinds above pass by what is so thin.
+TEST_P(QuadricProportion, CloseUpRaysHitASurfaceWithinRounding) {
+    const auto [kind, proportion, raysPerQuadric] = GetParam();
+    RandomNumbers random(241);
+    const auto quadrics = closeUpQuadrics(kind, proportion, random);
+    std::vector<gpu::TestRay> rays;
+    for (uint32_t i = 0; i < quadrics.size() * raysPerQuadric; ++i)
+        rays.push_back(closeUpRay(quadrics, i / raysPerQuadric, random));
+    expectWithinRounding(quadrics, rays);
+}
+
+std::vector<Parameter> parameters(uint32_t raysPerQuadric) {
+    std::vector<Parameter> all;
+    for (const uint32_t kind : {gpu::kCylinder, gpu::kCone})
+        for (const double proportion : {1e-5, 1e-3, 1e3, 1e5})
+            all.push_back({kind, proportion, raysPerQuadric});
+    return all;
+}
+
+std::string nameOfInstance(const testing::TestParamInfo<Parameter>& instance) {
+    return nameOf(instance.param.kind) + proportionName(instance.param.proportion);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, QuadricProportion, testing::ValuesIn(parameters(200)), nameOfInstance);
+INSTANTIATE_TEST_SUITE_P(SlowOf, QuadricProportion, testing::ValuesIn(parameters(1000)),
+                         nameOfInstance);
+
+} // namespace
+} // namespace calotype::test
