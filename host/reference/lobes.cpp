@@ -67,8 +67,7 @@ glm::dvec3 Ggx::sampleHalfVector(const glm::dvec3& wo, const glm::dvec2& u) cons
 }
 
 glm::dvec3 Ggx::mirrorWeight(double cosThetaO) const {
-    const Ggx smooth{f0, 0.0, masking};
-    const double masked = masking == Masking::Schlick ? square(smooth.g1(cosThetaO)) : 1.0;
+    const double masked = masking == Masking::Schlick ? square(g1(cosThetaO)) : 1.0;
     return masked * fresnelSchlick(f0, cosThetaO);
 }
 

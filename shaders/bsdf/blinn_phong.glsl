@@ -29,16 +29,16 @@ float blinnPhongHalfPdf(float exponent, vec3 h) {
     return (exponent + 1.0) / kTwoPi * exp(-0.5 * exponent * logOnePlus(tan2));
 }
 
-/// f cos, for wi.z > 0 and h the unit half vector.
-float evaluateBlinnPhong(BlinnPhongLobe lobe, vec3 wo, vec3 wi, vec3 h) {
+/// f cos, for wi.z > 0, h the unit half vector and cosThetaD its cosine to either direction.
+float evaluateBlinnPhong(BlinnPhongLobe lobe, vec3 wo, vec3 wi, vec3 h, float cosThetaD) {
     float n = lobe.exponent;
-    float scale = lobe.normalized ? 0.25 / (dot(wo, h) * max(wo.z, wi.z)) : (n + 2.0) / (n + 1.0);
+    float scale = lobe.normalized ? 0.25 / (cosThetaD * max(wo.z, wi.z)) : (n + 2.0) / (n + 1.0);
     return lobe.ks * blinnPhongHalfPdf(n, h) * scale * wi.z;
 }
 
 /// Per solid angle of wi.
-float blinnPhongPdf(BlinnPhongLobe lobe, vec3 wo, vec3 h) {
-    return blinnPhongHalfPdf(lobe.exponent, h) * 0.25 / dot(wo, h);
+float blinnPhongPdf(BlinnPhongLobe lobe, vec3 h, float cosThetaD) {
+    return blinnPhongHalfPdf(lobe.exponent, h) * 0.25 / cosThetaD;
 }
 
 /// A half vector; 1 - u takes the place of the report's u, as it is never zero.

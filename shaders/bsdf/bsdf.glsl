@@ -113,18 +113,22 @@ BsdfValue evaluateBsdf(Bsdf bsdf, vec3 wiWorld) {
     BsdfValue result = BsdfValue(vec3(0.0), 0.0);
     if (wi.z <= 0.0 || dot(wiWorld, bsdf.horizon) <= 0.0)
         return result;
-    vec3 h = normalize(bsdf.wo + wi);
+    // wo.h, as half of |wo + wi|: where both graze from opposite sides the dot product's sign is
+    // noise.
+    vec3 sum = bsdf.wo + wi;
+    float cosThetaD = 0.5 * length(sum);
+    vec3 h = normalize(sum);
     if (hasDiffuse && (bsdf.lobes & kLobeDiffuse) != 0u) {
         result.value = evaluateDiffuse(bsdf.diffuse, wi);
         result.pdf = bsdf.diffuseChance * diffusePdf(wi);
     }
     if (hasGgx && (bsdf.lobes & kLobeGgx) != 0u && !bsdf.isMirror) {
-        result.value += evaluateGgx(bsdf.ggx, bsdf.wo, wi, h);
+        result.value += evaluateGgx(bsdf.ggx, bsdf.wo, wi, h, cosThetaD);
         result.pdf += (1.0 - bsdf.diffuseChance) * ggxPdf(bsdf.ggx, bsdf.wo, h);
     }
     if (hasBlinnPhong && (bsdf.lobes & kLobeBlinnPhong) != 0u) {
-        result.value += evaluateBlinnPhong(bsdf.blinnPhong, bsdf.wo, wi, h);
-        result.pdf += (1.0 - bsdf.diffuseChance) * blinnPhongPdf(bsdf.blinnPhong, bsdf.wo, h);
+        result.value += evaluateBlinnPhong(bsdf.blinnPhong, bsdf.wo, wi, h, cosThetaD);
+        result.pdf += (1.0 - bsdf.diffuseChance) * blinnPhongPdf(bsdf.blinnPhong, h, cosThetaD);
     }
     return result;
 }

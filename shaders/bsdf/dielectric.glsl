@@ -15,7 +15,7 @@ struct DielectricSample {
 /// crosses. Radiance beyond the boundary is spread over another solid angle: crossing scales it by
 /// (1 / eta)^2.
 DielectricSample sampleDielectric(vec3 tint, float eta, vec3 wo, float u) {
-    Refraction refraction = refractDielectric(wo.z, eta);
+    Refraction refraction = refractDielectric(wo, eta);
     if (u < refraction.reflectance)
         return DielectricSample(vec3(-wo.xy, wo.z), vec3(1.0));
     return DielectricSample(vec3(-wo.xy / eta, -refraction.cosThetaT), tint / (eta * eta));

@@ -15,11 +15,16 @@ struct Refraction {
     float cosThetaT;   ///< of the refracted direction; 0 under total internal reflection
 };
 
-/// Snell's law and the exact Fresnel equations for a dielectric. `eta` is the index of refraction
-/// beyond the boundary over that on the side of the light. cos^2 of the refracted angle,
-/// 1 - (1 - cosI^2) / eta^2, is written so that it does not cancel as eta nears 1.
-Refraction refractDielectric(float cosThetaI, float eta) {
-    float cos2ThetaT = ((eta - 1.0) * (eta + 1.0) + cosThetaI * cosThetaI) / (eta * eta);
+/// Snell's law and the exact Fresnel equations for a dielectric; `w` is a unit direction in the
+/// boundary's frame. `eta` is the index of refraction beyond the boundary over that on the side of
+/// w. cos^2 of the refracted angle is 1 - sin^2 / eta^2, which is off by no more than sin^2 of that
+/// angle is, a few roundings. About eta = 1 that is too much where the light grazes: there it is
+/// (eta^2 - 1 + cos^2) / eta^2, which cancels for small eta in its turn.
+Refraction refractDielectric(vec3 w, float eta) {
+    float cosThetaI = w.z;
+    float eta2 = eta * eta;
+    float cos2ThetaT = eta2 < 0.5 ? 1.0 - dot(w.xy, w.xy) / eta2
+                                  : ((eta - 1.0) * (eta + 1.0) + cosThetaI * cosThetaI) / eta2;
     if (cos2ThetaT <= 0.0)
         return Refraction(1.0, 0.0);
     float cosThetaT = sqrt(cos2ThetaT);

@@ -43,9 +43,9 @@ float ggxVisibility(float cosThetaO, float cosThetaI, GgxLobe lobe) {
     return k < 0.0 ? smith : schlick;
 }
 
-/// f cos, for wi.z > 0 and h the unit half vector.
-vec3 evaluateGgx(GgxLobe lobe, vec3 wo, vec3 wi, vec3 h) {
-    vec3 fresnel = fresnelSchlick(lobe.f0, dot(wo, h));
+/// f cos, for wi.z > 0, h the unit half vector and cosThetaD its cosine to either direction.
+vec3 evaluateGgx(GgxLobe lobe, vec3 wo, vec3 wi, vec3 h, float cosThetaD) {
+    vec3 fresnel = fresnelSchlick(lobe.f0, cosThetaD);
     return fresnel * (ggxD(h, lobe.alpha) * ggxVisibility(wo.z, wi.z, lobe) * wi.z);
 }
 
@@ -55,19 +55,21 @@ float ggxPdf(GgxLobe lobe, vec3 wo, vec3 h) {
 }
 
 /// A visible half vector: in the space where the surface is a hemisphere, a point on the cap about
-/// wo that reflects into the upper side, plus wo.
+/// wo that reflects into the upper side, plus wo: s. The point's z is (1 - u) (1 + s.z) - s.z; from
+/// there 1 - z, 1 + z and z + s.z are written without the differences in which u near 1, the lobe's
+/// far end, would drown.
 vec3 sampleGgx(GgxLobe lobe, vec3 wo, vec2 u) {
     vec3 stretched = normalize(vec3(lobe.alpha * wo.xy, wo.z));
     vec2 sinCosPhi = sinCosTwoPi(u.x);
-    float z = (1.0 - u.y) * (1.0 + stretched.z) - stretched.z;
-    float sinTheta = sqrt(max((1.0 - z) * (1.0 + z), 0.0));
-    vec3 cap = vec3(sinTheta * sinCosPhi.y, sinTheta * sinCosPhi.x, z);
-    vec3 h = cap + stretched;
-    return normalize(vec3(lobe.alpha * h.xy, max(h.z, 0.0)));
+    float height = (1.0 - u.y) * (1.0 + stretched.z);
+    float onePlusZ = height + dot(stretched.xy, stretched.xy) / (1.0 + stretched.z);
+    float sinTheta = sqrt(u.y * (1.0 + stretched.z) * onePlusZ);
+    vec2 h = sinTheta * sinCosPhi.yx + stretched.xy;
+    return normalize(vec3(lobe.alpha * h, height));
 }
 
-/// The limit of no roughness: the mirrored direction with weight F G1(wo)^2 (k is 1/8 there;
-/// Smith's term is 1).
+/// A lobe too narrow to be drawn: the mirrored direction with weight F G1(wo)^2 (Smith's term is 1
+/// in the limit).
 vec3 mirrorWeight(GgxLobe lobe, float cosThetaO) {
     float k = lobe.maskingK;
     float g1 = k < 0.0 ? 1.0 : cosThetaO / (cosThetaO * (1.0 - k) + k);
