@@ -111,7 +111,7 @@ private:
         const Bsdf::Sample scattered = bsdf.sample(glm::dvec3(u));
         throughput_ *= scattered.weight;
         vertex_ = scattered.crosses ? offsetFrom(surface.position, -bsdf.ng()) : origin;
-        ray_ = {vertex_, scattered.wi};
+        ray_ = {vertex_, glm::normalize(scattered.wi)}; // or roundings add up, bounce by bounce
         bsdfPdf_ = scattered.pdf;
         ++bounce_;
         return greatest(throughput_) > 0.0;
