@@ -4,6 +4,7 @@
 
 #include "scene/energy_warnings.h"
 #include "scene/json_document.h"
+#include "scene/limit_warnings.h"
 #include "scene/load_context.h"
 #include "scene/model_scene.h"
 #include "scene/names.h"
@@ -100,6 +101,7 @@ Scene loadScene(const std::string& path, const LoadOptions& options) {
                                                "textures", "materials", "shapes", "lights"}),
         context);
     warnOfExcessEnergy(context);
+    warnOfLimits(context, path);
     warnIfBlack(context, path);
     context.scene.hash = context.hash.value();
     return std::move(context.scene);

@@ -1,0 +1,15 @@
+#include "scene/limit_warnings.h"
+
+#include "scene/coplanar_lights.h"
+#include "scene/faint_lights.h"
+#include "scene/fine_view.h"
+
+namespace calotype {
+
+void warnOfLimits(LoadContext& context, const std::string& path) {
+    warnOfFaintLights(context, path);
+    warnOfCoplanarLights(context, path);
+    warnOfFineView(context, path);
+}
+
+} // namespace calotype
