@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <string>
 
 #include "accel/median_split.h"
@@ -9,6 +10,7 @@
 #include "cli/device_session.h"
 #include "cli/exit_code.h"
 #include "pack/gpu_scene.h"
+#include "render/loop_budget.h"
 #include "render/path_tracer.h"
 #include "scene/load.h"
 #include "scene/scene_bounds.h"
@@ -38,8 +40,7 @@ void printCounts(const Scene& scene, const GpuScene& packed,
                     bounds.lower.z, bounds.upper.x, bounds.upper.y, bounds.upper.z);
 }
 
-void printBvh(const Bvh& bvh) {
-    const BvhStatistics statistics = bvhStatistics(bvh);
+void printBvh(const BvhStatistics& statistics) {
     std::printf(
         "BVH         %zu nodes, %zu leaves of %.2f primitives, depth %u of %u, SAH cost %.1f\n",
         statistics.nodes, statistics.leaves, statistics.primitivesPerLeaf, statistics.depth,
@@ -68,6 +69,16 @@ void printFeatures(const SceneFeatures& features) {
     std::printf("kernel for  %s\n", names.c_str());
 }
 
+void warnOfLongPaths(const Device& device, const BvhStatistics& bvh, uint32_t maxBounces) {
+    const std::optional<uint32_t> bounces = bouncesBeforeCut(device, bvh);
+    if (bounces && maxBounces > *bounces)
+        std::fprintf(stderr,
+                     "calotype: warning: max_bounces is %u, but paths of more than about %u "
+                     "scattering events outgrow this device's loop limit; such paths are cut, and "
+                     "counted when the scene is rendered\n",
+                     maxBounces, *bounces);
+}
+
 } // namespace
 
 int infoCommand(const InfoOptions& options) {
@@ -89,10 +100,12 @@ int infoCommand(const InfoOptions& options) {
     settings.crop = {0, 0, film.width, film.height};
 
     printCounts(scene, packed, primitives);
-    printBvh(bvh);
+    const BvhStatistics statistics = bvhStatistics(bvh);
+    printBvh(statistics);
     printFeatures(packed.features);
     const DeviceSession session(options.device);
     printMemory(session.device(), packed, settings);
+    warnOfLongPaths(session.device(), statistics, scene.render.maxBounces);
     session.throwOnValidationMessages();
     return kExitDone;
 }

@@ -1,10 +1,35 @@
 #include "pack/alias_table.h"
 
+#include <cmath>
 #include <numeric>
 
 #include "base/check.h"
 
 namespace calotype {
+namespace {
+
+constexpr uint64_t kNumbers = uint64_t{1} << 24; ///< that a uniform random number may be
+
+/// The random numbers that fall into columns before `column`, of `count` columns.
+uint64_t numbersBefore(uint64_t column, uint64_t count) {
+    return (column * kNumbers + count - 1) / count;
+}
+
+void setChances(std::vector<AliasColumn>& columns) {
+    constexpr double kChancePerNumber = 1.0 / kNumbers;
+    for (uint64_t i = 0; i < columns.size(); ++i) {
+        const uint64_t numbers =
+            numbersBefore(i + 1, columns.size()) - numbersBefore(i, columns.size());
+        const double chance = static_cast<double>(numbers) * kChancePerNumber;
+        columns[i].chance += chance * columns[i].threshold;
+        columns[columns[i].alias].chance += chance * (1.0 - columns[i].threshold);
+    }
+}
+
+/// The least multiple of 2^-24 that lets as many random numbers through.
+double roundedUp(double threshold) { return std::ceil(threshold * kNumbers) / kNumbers; }
+
+} // namespace
 
 std::vector<AliasColumn> buildAliasTable(std::span<const double> weights) {
     std::vector<AliasColumn> columns(weights.size());
@@ -17,16 +42,16 @@ std::vector<AliasColumn> buildAliasTable(std::span<const double> weights) {
     std::vector<uint32_t> underfull;
     std::vector<uint32_t> overfull;
     for (uint32_t i = 0; i < weights.size(); ++i) {
-        columns[i].chance = sum > 0.0 ? weights[i] / sum : 0.0;
         columns[i].alias = i;
-        filled[i] = columns[i].chance * static_cast<double>(weights.size());
+        const double share = sum > 0.0 ? weights[i] / sum : 0.0;
+        filled[i] = share * static_cast<double>(weights.size());
         (filled[i] < 1.0 ? underfull : overfull).push_back(i);
     }
     while (!underfull.empty() && !overfull.empty()) {
         const uint32_t receiver = underfull.back();
         const uint32_t donor = overfull.back();
         underfull.pop_back();
-        columns[receiver].threshold = filled[receiver];
+        columns[receiver].threshold = roundedUp(filled[receiver]);
         columns[receiver].alias = donor;
         filled[donor] -= 1.0 - filled[receiver];
         if (filled[donor] < 1.0) {
@@ -34,7 +59,8 @@ std::vector<AliasColumn> buildAliasTable(std::span<const double> weights) {
             underfull.push_back(donor);
         }
     }
-    return columns; // what is left over is full but for rounding, or all have no weight
+    setChances(columns); // of those left over, each is full but for rounding, or none has weight
+    return columns;
 }
 
 } // namespace calotype

@@ -97,8 +97,7 @@ void Lights::buildAliasTable() {
     std::vector<size_t> rich;
     columns_.resize(count);
     for (size_t i = 0; i < count; ++i) {
-        lights_[i].chance = sum > 0.0 ? powers_[i] / sum : 0.0;
-        filled[i] = lights_[i].chance * static_cast<double>(count);
+        filled[i] = sum > 0.0 ? powers_[i] / sum * static_cast<double>(count) : 0.0;
         columns_[i].alias = i;
         (filled[i] < 1.0 ? poor : rich).push_back(i);
     }
@@ -112,6 +111,22 @@ void Lights::buildAliasTable() {
             rich.pop_back();
             poor.push_back(giver);
         }
+    }
+    addUpChances();
+}
+
+/// The random numbers have 24 bits, so that they choose a column, and within it the column's own
+/// light, by whole multiples of 2^-24 only.
+void Lights::addUpChances() {
+    const double steps = 0x1p24;
+    const double count = static_cast<double>(columns_.size());
+    const auto firstStep = [&](double column) { return std::ceil(column * steps / count); };
+    for (size_t i = 0; i < columns_.size(); ++i) {
+        const auto column = static_cast<double>(i);
+        const double chance = (firstStep(column + 1.0) - firstStep(column)) / steps;
+        const double own = std::ceil(columns_[i].threshold * steps) / steps;
+        lights_[i].chance += chance * own;
+        lights_[columns_[i].alias].chance += chance * (1.0 - own);
     }
 }
 

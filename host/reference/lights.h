@@ -65,6 +65,7 @@ private:
     void add(uint32_t primitive, const Material& material);
     void addBackground();
     void buildAliasTable();
+    void addUpChances();
     const Shape& shapeOf(const Light& light) const;
 
     const Scene& scene_;

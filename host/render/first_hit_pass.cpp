@@ -6,6 +6,7 @@
 #include "base/check.h"
 #include "kernels/first_hit.spv.h"
 #include "render/dispatch_sizer.h"
+#include "render/loop_budget.h"
 #include "render/tiles.h"
 
 namespace calotype {
@@ -17,12 +18,6 @@ constexpr uint32_t kMostTilesPerDispatch = 4096;
 
 size_t recordBytes(uint32_t tiles) {
     return size_t{tiles} * kPixelsPerTile * sizeof(gpu::FirstHitRecord);
-}
-
-/// llvmpipe, the CPU driver, grants the invocations of a subgroup 65,535 loop iterations together
-/// and then silently skips loop bodies; the margin is for one more traversal of the scene.
-uint32_t iterationsBeforeCut(const Device& device) {
-    return device.info().type == "CPU" ? 50'000 : UINT32_MAX;
 }
 
 /// Every hit has texture coordinates, which kernels have where there are textures. A scene without
@@ -51,7 +46,7 @@ FirstHitPass::FirstHitPass(const Device& device, const GpuScene& scene, const Sc
                   .cropOrigin = {settings.crop.x, settings.crop.y},
                   .cropSize = {settings.crop.width, settings.crop.height},
                   .firstTile = 0,
-                  .iterationsBeforeCut = iterationsBeforeCut(device)},
+                  .iterationsBeforeCut = loopBudget(device).beforeCut},
       camera_(uploadBuffer(device, std::as_bytes(std::span(&scene.camera, 1)),
                            vk::BufferUsageFlagBits::eUniformBuffer, "camera of the first hits")),
       records_(device, recordBytes(tilesPerDispatch_), vk::BufferUsageFlagBits::eStorageBuffer,

@@ -3,23 +3,11 @@
 #include <numeric>
 
 #include "kernels/path_trace.spv.h"
+#include "render/loop_budget.h"
 #include "render/tiles.h"
 
 namespace calotype {
 namespace {
-
-struct IterationBudget {
-    uint32_t beforePause;
-    uint32_t beforeCut;
-};
-
-/// llvmpipe, the CPU driver, grants the invocations of a subgroup 65,535 loop iterations together
-/// and then silently skips loop bodies; the margin is for what one scattering event may take. A GPU
-/// only has to come back in time.
-IterationBudget iterationBudget(const Device& device) {
-    const bool cpu = device.info().type == "CPU";
-    return cpu ? IterationBudget{30'000, 50'000} : IterationBudget{1'000'000, UINT32_MAX};
-}
 
 /// llvmpipe gives each thread a contiguous part of a dispatch, so neighbouring tiles, which take
 /// about as long, are dealt out evenly by striding through the picture with a number coprime to
@@ -32,7 +20,7 @@ uint32_t coprimeStride(uint32_t tileCount) {
 }
 
 gpu::RenderParameters makeParameters(const GpuScene& scene, const RenderSettings& settings,
-                                     uint32_t tileCount, IterationBudget budget) {
+                                     uint32_t tileCount, LoopBudget budget) {
     gpu::RenderParameters parameters{};
     parameters.imageSize = {settings.width, settings.height};
     parameters.cropOrigin = {settings.crop.x, settings.crop.y};
@@ -62,7 +50,7 @@ size_t blockBytes(const Crop& crop) { return size_t{crop.width} * crop.height * 
 PathTracer::PathTracer(const Device& device, const GpuScene& scene, const SceneBuffers& buffers,
                        const SceneFeatures& features, const RenderSettings& settings)
     : device_(device), tileCount_(countTiles(settings.crop)),
-      parameters_(makeParameters(scene, settings, tileCount_, iterationBudget(device))),
+      parameters_(makeParameters(scene, settings, tileCount_, loopBudget(device))),
       block_(device, settings.crop.width, settings.crop.height, "block"),
       readback_(device, blockBytes(settings.crop), vk::BufferUsageFlagBits::eTransferDst,
                 Buffer::Memory::Host, "block readback"),

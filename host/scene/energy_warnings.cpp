@@ -3,25 +3,12 @@
 #include <iomanip>
 #include <sstream>
 
+#include "scene/borne_materials.h"
 #include "scene/material_energy.h"
 #include "scene/names.h"
 
 namespace calotype {
 namespace {
-
-std::vector<bool> borneMaterials(const Scene& scene) {
-    std::vector<bool> borne(scene.materials.size());
-    for (const Shape& shape : scene.shapes) {
-        if (const auto* mesh = std::get_if<Mesh>(&shape.geometry)) {
-            for (const Mesh::Triangle& triangle : mesh->triangles) {
-                borne[triangle.material] = true;
-            }
-        } else {
-            borne[shape.material] = true;
-        }
-    }
-    return borne;
-}
 
 std::string percent(double share) {
     std::ostringstream text;

@@ -4,10 +4,10 @@
 
 #include "scene/energy_warnings.h"
 #include "scene/json_document.h"
+#include "scene/limit_warnings.h"
 #include "scene/load_context.h"
 #include "scene/model_scene.h"
 #include "scene/names.h"
-#include "scene/precision_warnings.h"
 #include "scene/read_color.h"
 #include "scene/read_file.h"
 #include "scene/read_lights.h"
@@ -101,7 +101,7 @@ Scene loadScene(const std::string& path, const LoadOptions& options) {
                                                "textures", "materials", "shapes", "lights"}),
         context);
     warnOfExcessEnergy(context);
-    warnOfLostPrecision(context);
+    warnOfLimits(context, path);
     warnIfBlack(context, path);
     context.scene.hash = context.hash.value();
     return std::move(context.scene);

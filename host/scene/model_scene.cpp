@@ -11,9 +11,9 @@
 #include "math/rotation.h"
 #include "scene/energy_warnings.h"
 #include "scene/frame_camera.h"
+#include "scene/limit_warnings.h"
 #include "scene/load_context.h"
 #include "scene/names.h"
-#include "scene/precision_warnings.h"
 #include "scene/read_file.h"
 #include "scene/read_shapes.h"
 
@@ -158,7 +158,7 @@ Scene loadModelScene(const std::string& path, const LoadOptions& options) {
         addLight(plan, extent, context);
     }
     warnOfExcessEnergy(context);
-    warnOfLostPrecision(context);
+    warnOfLimits(context, path);
     scene.hash = context.hash.value();
     return std::move(context.scene);
 }

@@ -46,10 +46,13 @@ void main() {
         }
         pathEnded = !extendPath(path, limits, cost);
         cost.iterations = subgroupMax(cost.iterations) + kIterationsOutsideTraversal;
-        bool cut = cost.cut || (!pathEnded && cost.iterations > parameters.iterationsBeforeCut);
-        cutPaths += cut ? 1u : 0u;
-        pathEnded = pathEnded || cut;
-        if (pathEnded) {
+        // Also where the path seems to have ended: its last loops may have been broken off.
+        bool outgrown = cost.cut || cost.iterations > parameters.iterationsBeforeCut;
+        bool again = outgrown && sampleCount > pathsBefore; // with a dispatch's whole budget
+        cutPaths += outgrown && !again ? 1u : 0u;
+        pathEnded = pathEnded || outgrown;
+        working = !again;
+        if (pathEnded && working) {
             bool finite = isFinite(path.radiance);
             sum += vec4(finite ? path.radiance : vec3(0.0), 1.0);
             nonFiniteSamples += finite ? 0u : 1u;

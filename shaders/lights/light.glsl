@@ -9,10 +9,18 @@
 #include "scene/buffers.glsl"
 #include "scene/features.glsl"
 
+/// floor(u * count) without rounding, for a multiple u of 2^-24 below 1.
+uint scaledFloor(float u, uint count) {
+    uint floorOfProduct, fraction;
+    umulExtended(uint(u * 16777216.0) << 8u, count, floorOfProduct, fraction);
+    return floorOfProduct;
+}
+
 /// Picks a light by its selectionChance in constant time: a column of the alias table, then the
-/// column's own light or its alias (Walker 1974; Vose 1991). u.x picks the column, u.y within it.
+/// column's own light or its alias (Walker 1974; Vose 1991). u.x picks the column, u.y within it;
+/// the chances count on both being multiples of 2^-24, and on an exact choice.
 uint chooseLight(uint lightCount, vec2 u) {
-    uint column = min(uint(u.x * float(lightCount)), lightCount - 1u);
+    uint column = scaledFloor(u.x, lightCount);
     Light light = loadLight(column);
     return u.y < light.aliasThreshold ? column : light.alias;
 }

@@ -5,7 +5,7 @@
 #include "extremes/close_ups.h"
 #include "gpu/primitive_scene.h"
 #include "gpu/quadric_errors.h"
-#include "scene/precision_warnings.h"
+#include "scene/thin_quadrics.h"
 #include "support/gpu_test.h"
 #include "support/oracle_quadric.h"
 #include "support/test_quadrics.h"

@@ -8,7 +8,7 @@
 #include "gpu/primitive_scene.h"
 #include "kernels/coordinates.spv.h"
 #include "render/scene_buffers.h"
-#include "scene/precision_warnings.h"
+#include "scene/far_texels.h"
 #include "support/gpu_test.h"
 #include "support/oracle_texture.h"
 

@@ -35,7 +35,7 @@ const char* const kValidScene = R"({
     ],
     "lights": [
         {"type": "disk", "center": [0, 3, 0], "normal": [0, -1, 0], "radius": 0.5, "radiance": 20},
-        {"type": "triangle", "vertices": [[0, 3, 0], [1, 3, 0], [0, 3, 1]], "power": [20, 18, 15],
+        {"type": "triangle", "vertices": [[0, 4, 0], [1, 4, 0], [0, 4, 1]], "power": [20, 18, 15],
          "two_sided": true, "visible": false}
     ]
 })";

@@ -1,4 +1,4 @@
-#include "scene/precision_warnings.h"
+#include "scene/far_texels.h"
 
 #include <algorithm>
 #include <map>
@@ -86,7 +86,8 @@ private:
     std::vector<FarthestLookup> farthest_;
 };
 
-/// One sentence for all textures that a shape reads farther out than others do.
+} // namespace
+
 void warnOfFarTexels(LoadContext& context) {
     struct Excess {
         double texels = 0.0;
@@ -110,50 +111,6 @@ void warnOfFarTexels(LoadContext& context) {
                          "textures less): " +
                          listInQuotes(excess.names));
     }
-}
-
-/// A measure along over one across, or 1 for shapes that are thin in no way.
-double proportionOf(const Shape& shape) {
-    if (const auto* cylinder = std::get_if<Cylinder>(&shape.geometry)) {
-        return cylinder->height / cylinder->radius;
-    }
-    const auto* cone = std::get_if<Cone>(&shape.geometry);
-    return cone ? cone->slope : 1.0;
-}
-
-/// One sentence for all, at the thinnest.
-void warnOfThinQuadrics(LoadContext& context) {
-    constexpr double kRounding = 1e-9; // 1e-4 has no exact inverse
-    const Shape* thinnest = nullptr;
-    double greatest = 0.0;
-    size_t count = 0;
-    for (const Shape& shape : context.scene.shapes) {
-        const double proportion = proportionOf(shape);
-        const double excess = std::max(proportion, 1.0 / proportion);
-        if (excess <= kThinnestProportion * (1.0 + kRounding)) {
-            continue;
-        }
-        ++count;
-        if (excess > greatest) {
-            greatest = excess;
-            thinnest = &shape;
-        }
-    }
-    if (thinnest != nullptr) {
-        const bool isCone = std::holds_alternative<Cone>(thinnest->geometry);
-        context.warn(thinnest->place,
-                     std::string("the ") + (isCone ? "cone" : "cylinder") + " is " +
-                         rounded(greatest) + " times larger one way than the other" +
-                         (count > 1 ? ", the most of " + std::to_string(count) + " so thin" : "") +
-                         "; beyond 1e4 single precision lets light through its edges");
-    }
-}
-
-} // namespace
-
-void warnOfLostPrecision(LoadContext& context) {
-    warnOfFarTexels(context);
-    warnOfThinQuadrics(context);
 }
 
 } // namespace calotype

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "scene/load_context.h"
+
+namespace calotype {
+
+/// Texels (fields of a checker) between the origin of texture coordinates and a lookup, up to which
+/// it is off by half a texel at most. Interpolated coordinates are off by four roundings, of 2^-23
+/// of themselves each; tests/extremes finds a third of that.
+constexpr double kFarthestTexel = 0x1p20;
+
+/// Warns, once the shapes are read, of textures that are read farther out: in one sentence for each
+/// shape that reads some of them farthest.
+void warnOfFarTexels(LoadContext& context);
+
+} // namespace calotype

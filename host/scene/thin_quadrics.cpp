@@ -1,0 +1,55 @@
+#include "scene/thin_quadrics.h"
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+
+namespace calotype {
+namespace {
+
+std::string rounded(double number) {
+    std::ostringstream text;
+    text.precision(2);
+    text << number;
+    return text.str();
+}
+
+/// A measure along over one across, or 1 for shapes that are thin in no way.
+double proportionOf(const Shape& shape) {
+    if (const auto* cylinder = std::get_if<Cylinder>(&shape.geometry)) {
+        return cylinder->height / cylinder->radius;
+    }
+    const auto* cone = std::get_if<Cone>(&shape.geometry);
+    return cone ? cone->slope : 1.0;
+}
+
+} // namespace
+
+void warnOfThinQuadrics(LoadContext& context) {
+    constexpr double kRounding = 1e-9; // 1e-4 has no exact inverse
+    const Shape* thinnest = nullptr;
+    double greatest = 0.0;
+    size_t count = 0;
+    for (const Shape& shape : context.scene.shapes) {
+        const double proportion = proportionOf(shape);
+        const double excess = std::max(proportion, 1.0 / proportion);
+        if (excess <= kThinnestProportion * (1.0 + kRounding)) {
+            continue;
+        }
+        ++count;
+        if (excess > greatest) {
+            greatest = excess;
+            thinnest = &shape;
+        }
+    }
+    if (thinnest != nullptr) {
+        const bool isCone = std::holds_alternative<Cone>(thinnest->geometry);
+        context.warn(thinnest->place,
+                     std::string("the ") + (isCone ? "cone" : "cylinder") + " is " +
+                         rounded(greatest) + " times larger one way than the other" +
+                         (count > 1 ? ", the most of " + std::to_string(count) + " so thin" : "") +
+                         "; beyond 1e4 single precision lets light through its edges");
+    }
+}
+
+} // namespace calotype

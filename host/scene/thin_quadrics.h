@@ -1,0 +1,17 @@
+#pragma once
+
+#include "scene/load_context.h"
+
+namespace calotype {
+
+/// The height of a cylinder over its radius or the slope of a cone, and the inverse of either, up
+/// to which at most one ray in a hundred mistakes one face for another. Rays start up to 14
+/// roundings, 1.7e-6 of the shape's largest measure, off a face, and beyond the next where that is
+/// nearer: along the rim of a flat cone at the least slope.
+constexpr double kThinnestProportion = 1e4;
+
+/// Warns, once the shapes are read, of cylinders and cones that are thinner: in one sentence for
+/// all, at the place of the thinnest.
+void warnOfThinQuadrics(LoadContext& context);
+
+} // namespace calotype

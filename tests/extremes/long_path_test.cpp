@@ -1,0 +1,129 @@
+// Paths of a thousand events, and rays that outgrow the device's loops.
+#include <cmath>
+#include <iostream>
+
+#include "accel/median_split.h"
+#include "image/metrics.h"
+#include "image/scene_builder.h"
+#include "render/loop_budget.h"
+#include "support/gpu_test.h"
+#include "support/render_scene.h"
+#include "support/statistics.h"
+#include "support/test_scenes.h"
+
+namespace calotype::test {
+namespace {
+
+class LongPathTest : public GpuTest {
+protected:
+    static bool hasLoopLimit() { return testDevice().info().type == "CPU"; }
+};
+
+constexpr double kAlbedo = 0.999;
+
+/// A closed room that reflects nearly all, and glows so that endless paths would show 1.
+Scene furnace(Shape enclosure, uint32_t maxBounces) {
+    SceneBuilder builder;
+    builder.material(kAlbedo, 1.0 - kAlbedo);
+    builder.add(std::move(enclosure));
+    Scene& scene = builder.scene();
+    scene.camera.position = {0.1, 0.2, 0.15};
+    scene.film = {16, 16};
+    scene.render = {4, maxBounces, 0};
+    return scene;
+}
+
+Shape boxOf(uint32_t squaresPerSide) {
+    Shape box;
+    box.geometry = cubeMesh(squaresPerSide);
+    return box;
+}
+
+// After n events the sum has n + 1 terms: 1 - albedo^(n + 1).
+TEST_F(LongPathTest, AThousandEventsInASphere) {
+    const RenderedScene result = renderScene(furnace(makeShape(Sphere{{}, 1.0}, 0), 1000));
+    EXPECT_EQ(result.totals.cutPaths, 0u);
+    EXPECT_EQ(result.totals.nonFiniteSamples, 0u);
+    EXPECT_EQ(result.totals.paths, 16u * 16u * 4u);
+    const double expected = 1.0 - std::pow(kAlbedo, 1001);
+    std::vector<double> pixels;
+    for (const glm::vec3& pixel : result.image.pixels)
+        pixels.push_back(pixel.x);
+    const Estimate mean = estimate(pixels);
+    // What a thousand products of albedo and direction's length leave: 2^-24 each, in the worst
+    // case all to one side.
+    EXPECT_NEAR(mean.mean, expected, 4.0 * mean.standardError + 1000 * 0x1p-24);
+    std::cout << "relative difference " << mean.mean / expected - 1.0 << " +- "
+              << mean.standardError / expected << "\n";
+}
+
+/// The scenes by which the estimate of what outgrows the loops was set.
+std::vector<Shape> enclosures() {
+    return {makeShape(Sphere{{}, 1.0}, 0), boxOf(1), boxOf(8), boxOf(40)};
+}
+
+// Up to the number of events of which `info` warns, no path is cut, not even where a pixel's last
+// one left it half of the budget; at five times as many, all that go on are cut, and counted.
+TEST_F(LongPathTest, NothingIsCutUpToTheEstimate) {
+    if (!hasLoopLimit())
+        GTEST_SKIP() << "this device has no limit on loops";
+    for (const Shape& enclosure : enclosures()) {
+        Scene scene = furnace(enclosure, 0);
+        scene.film = {8, 8};
+        scene.render.samplesPerPixel = 8;
+        const glm::dvec3 origin = packingOrigin(scene);
+        const Bvh bvh = buildMedianSplit(collectPrimitives(scene, origin));
+        const auto bounces = bouncesBeforeCut(testDevice(), bvhStatistics(bvh));
+        ASSERT_TRUE(bounces);
+        scene.render.maxBounces = *bounces;
+        EXPECT_EQ(renderScene(scene).totals.cutPaths, 0u) << *bounces;
+        scene.render.maxBounces = 5 * *bounces;
+        const RenderTotals tooLong = renderScene(scene).totals;
+        EXPECT_GT(10 * tooLong.cutPaths, 9 * tooLong.paths) << *bounces;
+        std::cout << "SAH cost " << bvhStatistics(bvh).sahCost << ": " << *bounces << " events\n";
+    }
+}
+
+/// Splinters along one diagonal of a cube: the box of each is the cube's, so every ray through the
+/// cube visits all of them and meets none.
+Shape splinters(uint32_t count) {
+    Mesh mesh;
+    constexpr uint32_t kNo = Mesh::kNoNormal;
+    for (uint32_t i = 0; i < count; ++i) {
+        const double width = 1e-3 * (i + 1) / count;
+        mesh.positions.insert(mesh.positions.end(),
+                              {{-1, -1, -1}, {1, 1, 1}, {-1 + width, -1, -1}});
+        mesh.triangles.push_back({{3 * i, 3 * i + 1, 3 * i + 2}, {kNo, kNo, kNo}, 0});
+    }
+    Shape shape;
+    shape.geometry = std::move(mesh);
+    return shape;
+}
+
+// Where one ray alone outgrows the loops the driver breaks them off, and a ray that should have met
+// the wall behind may meet nothing. Each pixel that lacks its light is counted as cut.
+TEST_F(LongPathTest, RaysThatOutgrowTheLoopsAreCounted) {
+    SceneBuilder builder;
+    builder.material(0.0, 0.0);
+    builder.rectangle({-5, -5, -3}, {10, 0, 0}, {0, 10, 0}, builder.material(0.0, 1.0));
+    builder.add(splinters(60'000));
+    Scene& scene = builder.scene();
+    scene.film = {16, 16};
+    scene.render = {1, 1, 0};
+    builder.lookAtPlaneZ(0.5);
+    scene.camera.position = {0.6, -0.4, 5.0}; // clear of the diagonal itself
+    const RenderedScene result = renderScene(scene);
+    uint64_t dark = 0;
+    for (const glm::vec3& pixel : result.image.pixels)
+        dark += pixel.x < 1.0f ? 1 : 0;
+    std::cout << dark << " dark pixels of 256, " << result.totals.cutPaths << " counted\n";
+    EXPECT_LE(dark, result.totals.cutPaths);
+    if (hasLoopLimit()) {
+        EXPECT_GT(result.totals.cutPaths, 0u);
+    } else {
+        EXPECT_EQ(result.totals.cutPaths, 0u);
+    }
+}
+
+} // namespace
+} // namespace calotype::test
