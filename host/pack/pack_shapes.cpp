@@ -20,10 +20,18 @@ gpu::Quadric withFrame(const RigidTransform& worldFromObject, const glm::dvec3& 
     return quadric;
 }
 
+/// The centre is moved so that rounding the radius leaves the surface where it is on the side of
+/// the packed scene's origin.
 gpu::Quadric pack(const Sphere& sphere, const glm::dvec3& origin) {
     gpu::Quadric quadric = withFrame(sphere.worldFromObject, origin);
     quadric.kind = gpu::kSphere;
     quadric.radius = static_cast<float>(sphere.radius);
+    const glm::dvec3 exact = sphere.worldFromObject.translation - origin;
+    const double distance = glm::length(exact);
+    const double excess = static_cast<double>(quadric.radius) - sphere.radius;
+    const glm::dvec3 center = distance > 0.0 ? exact + exact * (excess / distance) : exact;
+    quadric.center = glm::vec3(center);
+    quadric.centerRest = glm::vec3(center - glm::dvec3(quadric.center));
     return quadric;
 }
 

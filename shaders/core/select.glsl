@@ -6,6 +6,7 @@
 float lesser(float a, float b) { return a < b ? a : b; }
 float greater(float a, float b) { return a > b ? a : b; }
 
+vec2 lesser(vec2 a, vec2 b) { return vec2(lesser(a.x, b.x), lesser(a.y, b.y)); }
 vec2 greater(vec2 a, vec2 b) { return vec2(greater(a.x, b.x), greater(a.y, b.y)); }
 
 vec3 lesser(vec3 a, vec3 b) { return vec3(lesser(a.x, b.x), lesser(a.y, b.y), lesser(a.z, b.z)); }

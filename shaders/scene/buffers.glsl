@@ -46,14 +46,15 @@ TriangleUvs loadTriangleUvs(uint index) {
 }
 
 Quadric loadQuadric(uint index) {
-    uvec4 row0 = texelFetch(quadricRows, int(5u * index));
-    uvec4 row1 = texelFetch(quadricRows, int(5u * index + 1u));
-    uvec4 row2 = texelFetch(quadricRows, int(5u * index + 2u));
-    uvec4 row3 = texelFetch(quadricRows, int(5u * index + 3u));
-    uvec4 row4 = texelFetch(quadricRows, int(5u * index + 4u));
+    uvec4 row0 = texelFetch(quadricRows, int(6u * index));
+    uvec4 row1 = texelFetch(quadricRows, int(6u * index + 1u));
+    uvec4 row2 = texelFetch(quadricRows, int(6u * index + 2u));
+    uvec4 row3 = texelFetch(quadricRows, int(6u * index + 3u));
+    uvec4 row4 = texelFetch(quadricRows, int(6u * index + 4u));
+    uvec4 row5 = texelFetch(quadricRows, int(6u * index + 5u));
     return Quadric(floats(row0), uintBitsToFloat(row0.w), floats(row1), uintBitsToFloat(row1.w),
                    floats(row2), row2.w, floats(row3), uintBitsToFloat(row3.w), row4.x, row4.y,
-                   row4.z, row4.w);
+                   row4.z, row4.w, floats(row5), row5.w);
 }
 
 Material loadMaterial(uint index) {

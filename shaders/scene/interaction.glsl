@@ -5,6 +5,7 @@
 #include "scene/traversal.glsl"
 #include "shapes/surface_coordinates.glsl"
 #include "shapes/terminator.glsl"
+#include "shapes/triangle_barycentrics.glsl"
 #include "shapes/triangle_point.glsl"
 
 struct Interaction {
@@ -43,9 +44,8 @@ Interaction triangleInteraction(uint index, Ray ray) {
     Triangle triangle = loadTriangle(index);
     vec3 edge1 = triangle.v1 - triangle.v0;
     vec3 edge2 = triangle.v2 - triangle.v0;
-    vec2 b = intersectTriangle(shearedRay(ray.origin, ray.direction), triangle.v0, triangle.v1,
-                               triangle.v2)
-                 .barycentrics;
+    vec2 b = triangleBarycentrics(shearedRay(ray.origin, ray.direction), triangle.v0, triangle.v1,
+                                  triangle.v2);
     vec3 along1 = b.x * edge1;
     vec3 along2 = b.y * edge2;
     Interaction surface;
@@ -69,7 +69,9 @@ Interaction quadricInteraction(uint index, Ray ray, float t) {
     Quadric quadric = loadQuadric(index);
     mat3 frame = worldFromQuadric(quadric);
     vec3 local = (ray.origin - quadric.center + t * ray.direction) * frame;
-    QuadricPoint point = quadricPoint(quadric, local);
+    bool isSphere = hasSpheres && quadric.kind == kSphere;
+    QuadricPoint point = isSphere ? spherePoint(quadric, ray.origin + t * ray.direction)
+                                  : quadricPoint(quadric, local);
     Interaction surface;
     surface.position = point.position;
     surface.error = point.error;

@@ -48,7 +48,7 @@ Hit intersectPrimitive(uint primitive, Ray ray, ShearedRay sheared) {
         return Hit(t, primitive, quadric.material);
     }
     Triangle triangle = loadTriangle(primitive);
-    float t = intersectTriangle(sheared, triangle.v0, triangle.v1, triangle.v2).t;
+    float t = intersectTriangle(sheared, triangle.v0, triangle.v1, triangle.v2);
     return Hit(t, primitive, triangle.material);
 }
 

@@ -11,11 +11,15 @@
 
 mat3 worldFromQuadric(Quadric quadric) { return mat3(quadric.axisX, quadric.axisY, quadric.axisZ); }
 
+SpherePosition positionOnSphere(Quadric sphere, vec3 p) {
+    return spherePosition(p, sphere.center, sphere.centerRest, sphere.radius);
+}
+
 /// Parameter of the first crossing along origin + t direction, or kFar.
 float intersectQuadric(Quadric quadric, vec3 origin, vec3 direction) {
-    LocalRay ray = localRay(origin, direction, quadric.center, worldFromQuadric(quadric));
     if (hasSpheres && quadric.kind == kSphere)
-        return intersectSphere(ray, quadric.radius);
+        return intersectSphere(positionOnSphere(quadric, origin), direction, quadric.radius);
+    LocalRay ray = localRay(origin, direction, quadric.center, worldFromQuadric(quadric));
     if (hasCylinders && quadric.kind == kCylinder)
         return intersectCylinder(ray, quadric.radius, quadric.extent);
     if (hasCones && quadric.kind == kCone)
@@ -32,15 +36,30 @@ struct QuadricPoint {
     vec3 normal; ///< outward; along the axis for a disk
 };
 
+/// The point of a sphere nearest to `p`, both in the world. Error: of the distance to the surface,
+/// and a rounding of its product with the normal and of the sum.
+QuadricPoint spherePoint(Quadric sphere, vec3 p) {
+    SpherePosition at = positionOnSphere(sphere, p);
+    float correction = distanceToSphere(at, sphere.radius);
+    QuadricPoint point;
+    point.normal = sphereNormal(at);
+    point.position = p + correction * point.normal;
+    point.error = dot(abs(point.normal), GAMMA(2.0) * abs(point.position)) +
+                  GAMMA(8.0) * abs(correction) + at.powerError / sphere.radius;
+    return point;
+}
+
 /// The surface point nearest to `p`, which is given in the quadric's frame. Error: projection and
 /// rotation take at most eight operations on numbers no larger than the shape, the sum with the
 /// centre one more on its coordinates.
 QuadricPoint quadricPoint(Quadric quadric, vec3 p) {
+    mat3 worldFromLocal = worldFromQuadric(quadric);
+    if (hasSpheres && quadric.kind == kSphere)
+        return spherePoint(quadric,
+                           quadric.center +
+                               worldFromLocal * (p * (quadric.radius * inversesqrt(dot(p, p)))));
     vec3 normal = vec3(0.0, 1.0, 0.0);
-    if (hasSpheres && quadric.kind == kSphere) {
-        p = projectOntoSphere(p, quadric.radius);
-        normal = sphereNormal(p);
-    } else if (hasCylinders && quadric.kind == kCylinder) {
+    if (hasCylinders && quadric.kind == kCylinder) {
         normal = cylinderNormal(p, quadric.radius, quadric.extent);
         p = projectOntoCylinder(p, quadric.radius, quadric.extent);
     } else if (hasCones && quadric.kind == kCone) {
@@ -49,7 +68,6 @@ QuadricPoint quadricPoint(Quadric quadric, vec3 p) {
     } else {
         p.y = 0.0;
     }
-    mat3 worldFromLocal = worldFromQuadric(quadric);
     // Precise: a kernel for disks alone knows that p.y is 0 and must not sum in another order.
     precise vec3 offset = worldFromLocal * p;
     QuadricPoint point;

@@ -5,16 +5,19 @@
 // three edge functions. Two triangles that share an edge compute the same products for it,
 // subtracted the other way round: `precise` forbids a fused multiply-add, whose two roundings would
 // differ, so the signs are opposite or both zero, and zero counts as inside for both. No ray passes
-// between them. There is no threshold on the determinant: small triangles are not lost.
+// between them. Rounding turns no sign round, but it may zero all three of a sliver; what is then
+// left of the test is that the origin lies in the box about the projection, which every triangle
+// that contains it passes. There is no threshold on the determinant: small triangles are not lost.
 //
-// Error of t. With u the unit roundoff, X, Y and Z the largest |x'|, |y'| and |z| of the corners,
-// and barycentric weights b_i = e_i / sum e_i, all of one sign for a hit:
-//   - z: a difference and the scaling by 1 / dz, averaged by the weights, and the final sum:
-//     gamma_8 Z / |dz|;
-//   - the edge functions: x' is off by dX = gamma_6 (X + Z) at most, since |shear| <= 1, and y' by
-//     dY alike; so |de| <= 2 (dX Y + dY X + dX dY + gamma_2 X Y). A weight's error moves t by the
-//     range of z at most: 3 |de| (max z - min z) / |sum e|.
-// A hit counts only beyond that bound, so a ray does not meet the triangle that it leaves.
+// Whether the hit lies ahead is decided by the plane: with the normal n of any length and s the
+// vector from the origin to a corner, t = n.s / n.d. The two shorter edges make n, so a needle's
+// does not suffer from the lengths of the others. Each component of n carries gamma_4 of
+//     m_i = |e1_j e2_k| + |e1_k e2_j|
+// (two differences, a product and their difference), so n.s and n.d carry gamma_8 of m.|s| and
+// m.|d|. Where both are larger than that, their signs are certain: a ray does not meet the plane
+// that it leaves, and a hit is not lost however thin the triangle is. Else the origin lies in the
+// plane, or the ray runs along it, as far as float can tell; the hit then counts if all of the
+// triangle lies ahead. The hit is a mean of the corners, so t is held to their range.
 #ifndef CALOTYPE_SHAPES_TRIANGLE_GLSL
 #define CALOTYPE_SHAPES_TRIANGLE_GLSL
 
@@ -25,13 +28,9 @@
 /// A ray prepared for many triangles: its longest axis becomes z, the other two follow in turn.
 struct ShearedRay {
     vec3 origin;
+    vec3 direction;
     vec3 shear; ///< direction.xy / direction.z and 1 / direction.z, after the turn of axes
     uint axis;  ///< 0, 1 or 2: the one of largest |direction|, the first of equals
-};
-
-struct TriangleHit {
-    float t;           ///< kFar where the triangle is missed
-    vec2 barycentrics; ///< weights of the second and third corner
 };
 
 vec3 turnAxes(vec3 v, uint axis) { return axis == 0u ? v.yzx : axis == 1u ? v.zxy : v; }
@@ -40,6 +39,7 @@ ShearedRay shearedRay(vec3 origin, vec3 direction) {
     vec3 length = abs(direction);
     ShearedRay ray;
     ray.origin = origin;
+    ray.direction = direction;
     ray.axis = length.x >= length.y && length.x >= length.z ? 0u : length.y >= length.z ? 1u : 2u;
     vec3 d = turnAxes(direction, ray.axis);
     precise vec3 shear = vec3(d.xy / d.z, 1.0 / d.z);
@@ -47,35 +47,75 @@ ShearedRay shearedRay(vec3 origin, vec3 direction) {
     return ray;
 }
 
-TriangleHit intersectTriangle(ShearedRay ray, vec3 v0, vec3 v1, vec3 v2) {
+/// The corners as the ray sees them: xy across it, z along its longest axis.
+struct ShearedTriangle {
+    vec2 a;
+    vec2 b;
+    vec2 c;
+    vec3 z; ///< of the three corners, in units of the direction
+};
+
+ShearedTriangle shearTriangle(ShearedRay ray, vec3 v0, vec3 v1, vec3 v2) {
     precise vec3 a = turnAxes(v0 - ray.origin, ray.axis);
     precise vec3 b = turnAxes(v1 - ray.origin, ray.axis);
     precise vec3 c = turnAxes(v2 - ray.origin, ray.axis);
     precise vec2 pa = a.xy - ray.shear.xy * a.z;
     precise vec2 pb = b.xy - ray.shear.xy * b.z;
     precise vec2 pc = c.xy - ray.shear.xy * c.z;
-    precise float e0 = pc.x * pb.y - pc.y * pb.x;
-    precise float e1 = pa.x * pc.y - pa.y * pc.x;
-    precise float e2 = pb.x * pa.y - pb.y * pa.x;
-    vec3 e = vec3(e0, e1, e2);
-    float determinant = e0 + e1 + e2;
-    bool inside = (least(e) >= 0.0 || greatest(e) <= 0.0) && determinant != 0.0;
+    return ShearedTriangle(pa, pb, pc, ray.shear.z * vec3(a.z, b.z, c.z));
+}
 
-    vec3 z = ray.shear.z * vec3(a.z, b.z, c.z);
-    float inverse = inside ? 1.0 / determinant : 0.0;
-    float t = dot(e, z) * inverse;
+/// Twice the signed areas that the ray spans with the edges opposite to the three corners.
+vec3 edgeFunctions(vec2 a, vec2 b, vec2 c) {
+    precise float e0 = c.x * b.y - c.y * b.x;
+    precise float e1 = a.x * c.y - a.y * c.x;
+    precise float e2 = b.x * a.y - b.y * a.x;
+    return vec3(e0, e1, e2);
+}
 
-    float zMax = greatest(abs(vec3(a.z, b.z, c.z)));
-    vec2 pMax = greater(greater(abs(pa), abs(pb)), abs(pc));
-    vec2 pError = GAMMA(6.0) * (pMax + zMax);
-    float eError =
-        2.0 * ((pMax.x + pError.x) * pError.y + (GAMMA(2.0) * pMax.x + pError.x) * pMax.y);
-    float zRange = greatest(z) - least(z);
-    float tError = GAMMA(8.0) * zMax * abs(ray.shear.z) + 3.0 * eError * zRange * abs(inverse);
-    TriangleHit hit;
-    hit.t = inside && t > tError ? t : kFar;
-    hit.barycentrics = vec2(e1, e2) * inverse;
-    return hit;
+/// True where the ray is in the box about the projected triangle.
+bool isInBox(ShearedTriangle seen) {
+    vec2 lower = lesser(lesser(seen.a, seen.b), seen.c);
+    vec2 upper = greater(greater(seen.a, seen.b), seen.c);
+    return greater(lower.x, lower.y) <= 0.0 && lesser(upper.x, upper.y) >= 0.0;
+}
+
+/// The two shorter edges, so directed that their cross product is the front's normal.
+void shorterEdges(vec3 v0, vec3 v1, vec3 v2, out vec3 edge1, out vec3 edge2) {
+    vec3 edges[3] = vec3[3](v1 - v0, v2 - v1, v0 - v2);
+    float length0 = greatest(abs(edges[0]));
+    float length1 = greatest(abs(edges[1]));
+    float length2 = greatest(abs(edges[2]));
+    bool longest0 = length0 >= length1 && length0 >= length2;
+    bool longest1 = !longest0 && length1 >= length2;
+    edge1 = longest0 ? edges[1] : longest1 ? edges[2] : edges[0];
+    edge2 = longest0 ? edges[2] : longest1 ? edges[0] : edges[1];
+}
+
+/// Parameter of the hit, or kFar.
+float intersectTriangle(ShearedRay ray, vec3 v0, vec3 v1, vec3 v2) {
+    ShearedTriangle seen = shearTriangle(ray, v0, v1, v2);
+    vec3 e = edgeFunctions(seen.a, seen.b, seen.c);
+    bool inside = (least(e) >= 0.0 || greatest(e) <= 0.0) && isInBox(seen);
+
+    vec3 edge1, edge2;
+    shorterEdges(v0, v1, v2, edge1, edge2);
+    vec3 plus = edge1.yzx * edge2.zxy;
+    vec3 minus = edge1.zxy * edge2.yzx;
+    vec3 normal = plus - minus;
+    vec3 magnitude = GAMMA(8.0) * (abs(plus) + abs(minus));
+    vec3 toPlane = v0 - ray.origin;
+    float height = dot(normal, toPlane);
+    float approach = dot(normal, ray.direction);
+    bool isCertain = abs(height) > dot(magnitude, abs(toPlane)) &&
+                     abs(approach) > dot(magnitude, abs(ray.direction));
+
+    float nearest = least(seen.z);
+    float farthest = greatest(seen.z);
+    float t = greater(lesser(height / approach, farthest), nearest);
+    bool allAhead = nearest > GAMMA(8.0) * farthest && e != vec3(0.0);
+    bool ahead = isCertain ? (height > 0.0) == (approach > 0.0) : allAhead;
+    return inside && ahead && t > 0.0 ? t : kFar;
 }
 
 #endif

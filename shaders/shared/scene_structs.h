@@ -75,6 +75,8 @@ struct Quadric {
     uint light;
     uint id;
     uint pad0;
+    vec3 centerRest; ///< of a sphere: what rounding took from its centre
+    uint pad1;
 };
 
 // The lobes that a material is made of. At most one of GGX and Blinn-Phong; a dielectric has none.
@@ -173,7 +175,7 @@ static_assert(sizeof(BvhNode) == 32);
 static_assert(sizeof(Triangle) == 48);
 static_assert(sizeof(TriangleNormals) == 48);
 static_assert(sizeof(TriangleUvs) == 32);
-static_assert(sizeof(Quadric) == 80);
+static_assert(sizeof(Quadric) == 96);
 static_assert(sizeof(Material) == 64);
 static_assert(sizeof(Texture) == 64);
 static_assert(sizeof(Light) == 48);

@@ -10,14 +10,23 @@
 namespace calotype::test {
 namespace {
 
+/// A sphere's frame is the world's: it needs none, and rounding has its axes off the right angle.
 Vec3 localDirection(const gpu::Quadric& quadric, const Vec3& world) {
+    if (quadric.kind == gpu::kSphere)
+        return world;
     return {glm::dot(world, Vec3(quadric.axisX)), glm::dot(world, Vec3(quadric.axisY)),
             glm::dot(world, Vec3(quadric.axisZ))};
 }
 
 Vec3 worldDirection(const gpu::Quadric& quadric, const Vec3& local) {
+    if (quadric.kind == gpu::kSphere)
+        return local;
     return local.x * Vec3(quadric.axisX) + local.y * Vec3(quadric.axisY) +
            local.z * Vec3(quadric.axisZ);
+}
+
+Vec3 centerOf(const gpu::Quadric& quadric) {
+    return Vec3(quadric.center) + Vec3(quadric.centerRest);
 }
 
 /// A ray's answers for a convex solid from its largest and its smallest shape.
@@ -36,7 +45,7 @@ AllowedAnswers convexAnswers(const Interval& grown, const Interval& shrunk) {
 } // namespace
 
 Line localLine(const gpu::Quadric& quadric, const Line& world) {
-    return {localDirection(quadric, world.origin - Vec3(quadric.center)),
+    return {localDirection(quadric, world.origin - centerOf(quadric)),
             localDirection(quadric, world.direction)};
 }
 
@@ -46,7 +55,7 @@ Real reachOf(const gpu::Quadric& quadric) {
 }
 
 Real roundingScale(const gpu::Quadric& quadric, const Line& world, Real t) {
-    const Line line{world.origin - Vec3(quadric.center), world.direction};
+    const Line line{world.origin - centerOf(quadric), world.direction};
     const Real scale = glm::length(line.origin) + reachOf(quadric);
     if (quadric.kind != gpu::kCone)
         return scale;
@@ -82,7 +91,7 @@ Real firstHit(const gpu::Quadric& quadric, const Line& world) {
 }
 
 FaceAt faceAt(const gpu::Quadric& quadric, const Vec3& world, const Vec3& normal) {
-    const Vec3 p = localDirection(quadric, world - Vec3(quadric.center));
+    const Vec3 p = localDirection(quadric, world - centerOf(quadric));
     const Vec3 n = localDirection(quadric, normal);
     const Real radius = std::hypot(p.x, p.z);
     const auto flat = [&](Real distance, const Vec3& local) {

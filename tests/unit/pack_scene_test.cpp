@@ -2,6 +2,7 @@
 #include <numbers>
 #include <set>
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include "pack/pack_shapes.h"
@@ -173,6 +174,17 @@ TEST(PackScene, CarriesMaterialsAndTheCamera) {
     EXPECT_EQ(wide.quadrics[0].center, glm::vec3(1.0f, -1.0f, 0.0f));
     ASSERT_EQ(wide.materials.size(), 3u);
     EXPECT_EQ(wide.materials[0].color, glm::vec3(0.25f, 0.5f, 0.75f));
+}
+
+TEST(PackScene, SpheresKeepWhatRoundingTakesFromTheirCentres) {
+    const Scene scene = sceneOf({shapeOf(Sphere{{glm::dmat3(1.0), {0.1, -1e5, 0.3}}, 1e5 / 3.0})});
+    const gpu::Quadric sphere = packQuadric(scene.shapes[0], {0.0, 0.7, 5.0}, 0);
+    const glm::dvec3 center = glm::dvec3(sphere.center) + glm::dvec3(sphere.centerRest);
+    // Moved by what rounding adds to the radius, so that the near side stays.
+    const double excess = double{sphere.radius} - 1e5 / 3.0;
+    EXPECT_GT(std::abs(excess), 1e-4);
+    const glm::dvec3 exact(0.1, -100000.7, -4.7);
+    EXPECT_NEAR(glm::distance(center, exact + excess * glm::normalize(exact)), 0.0, 1e-9);
 }
 
 TEST(PackScene, OfNothingHasArraysAllTheSame) {

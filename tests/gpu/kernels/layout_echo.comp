@@ -76,6 +76,8 @@ void putQuadric() {
     put(q.light);
     put(q.id);
     put(q.pad0);
+    put(q.centerRest);
+    put(q.pad1);
 }
 
 void putMaterial() {

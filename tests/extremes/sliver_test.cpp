@@ -1,0 +1,52 @@
+// Needles and slivers: closed meshes made of them let no ray out, and their hits agree with double.
+#include <cmath>
+#include <iostream>
+
+#include <glm/geometric.hpp>
+
+#include "extremes/closed_meshes.h"
+#include "extremes/edge_ray_scene.h"
+#include "gpu/primitive_scene.h"
+#include "support/gpu_test.h"
+#include "support/oracle_triangle.h"
+#include "support/random_numbers.h"
+#include "support/test_scenes.h"
+
+namespace calotype::test {
+namespace {
+
+/// Width over length.
+class Slivers : public GpuTest, public testing::WithParamInterface<double> {
+protected:
+    static uint64_t escapesOf(const Mesh& mesh, uint64_t rays) {
+        const EdgeRayScene scene(packAsProgram(sceneOf({shapeOf(mesh)})).packed, {});
+        const EdgeRayScene::Escapes escapes = scene.cast(rays);
+        EXPECT_LT(escapes.mostIterations, 65'000u) << "llvmpipe ends loops there";
+        std::cout << escapes.rays << " rays, " << escapes.count << " escaped " << escapes.last
+                  << "\n";
+        return escapes.count;
+    }
+};
+
+TEST_P(Slivers, OfClosedBoxesLetNoRayOut) {
+    const Mesh box = boxWithCuts(sliverCuts(GetParam()));
+    EXPECT_EQ(escapesOf(box, 1'000'000), 0u);
+    EXPECT_EQ(escapesOf(turned(box), 1'000'000), 0u);
+}
+
+TEST_P(Slivers, OfLongTubesLetNoRayOut) {
+    if (GetParam() < 1e-5)
+        GTEST_SKIP() << "thinner tubes are beyond single precision: see rows/exgeometry.md";
+    const glm::dvec3 thin(1.0, GetParam(), GetParam());
+    EXPECT_EQ(escapesOf(stretched(cubeMesh(8), thin), 500'000), 0u);
+    EXPECT_EQ(escapesOf(stretched(icosphere(3, {}, 1.0), thin), 500'000), 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Slivers, testing::Values(1e-3, 1e-4, 1e-5, 1e-6, 1e-7),
+                         [](const auto& width) {
+                             return "Width1em" +
+                                    std::to_string(std::lround(-std::log10(width.param)));
+                         });
+
+} // namespace
+} // namespace calotype::test
