@@ -55,12 +55,17 @@ bool isOnConeBase(vec3 p, float height, float slope) {
     return abs(p.y - height) < toSide;
 }
 
-vec3 projectOntoCone(vec3 p, float height, float slope) {
-    if (isOnConeBase(p, height, slope))
-        return vec3(p.x, height, p.z);
-    // In (radius, |y|), onto the line radius = slope |y|; a point on the axis goes to the apex.
+/// Onto the surface, but no nearer than `margin` to the rim.
+vec3 projectOntoCone(vec3 p, float height, float slope, float margin) {
     float radius = length(p.xz);
+    if (isOnConeBase(p, height, slope)) {
+        float farthest = max(slope * abs(height) - margin, 0.0);
+        vec2 xz = p.xz * (radius > farthest ? farthest / radius : 1.0);
+        return vec3(xz.x, height, xz.y);
+    }
+    // In (radius, |y|), onto the line radius = slope |y|; a point on the axis goes to the apex.
     float y = (abs(p.y) + slope * radius) / (1.0 + slope * slope);
+    y = min(y, max(abs(height) - margin * inversesqrt(1.0 + slope * slope), 0.0));
     vec2 side = radius > 0.0 ? p.xz * (slope * y / radius) : vec2(0.0);
     y = radius > 0.0 ? y : 0.0;
     return vec3(side.x, height < 0.0 ? -y : y, side.y);

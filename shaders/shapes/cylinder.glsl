@@ -36,11 +36,17 @@ bool isOnCylinderCap(vec3 p, float radius, float height) {
     return abs(abs(p.y) - 0.5 * height) < abs(length(p.xz) - radius);
 }
 
-vec3 projectOntoCylinder(vec3 p, float radius, float height) {
-    if (isOnCylinderCap(p, radius, height))
-        return vec3(p.x, p.y < 0.0 ? -0.5 * height : 0.5 * height, p.z);
-    p.xz *= radius * inversesqrt(dot(p.xz, p.xz));
-    return p;
+/// Onto the surface, but no nearer than `margin` to a rim.
+vec3 projectOntoCylinder(vec3 p, float radius, float height, float margin) {
+    float distance = length(p.xz);
+    if (isOnCylinderCap(p, radius, height)) {
+        float farthest = max(radius - margin, 0.0);
+        vec2 xz = p.xz * (distance > farthest ? farthest / distance : 1.0);
+        return vec3(xz.x, p.y < 0.0 ? -0.5 * height : 0.5 * height, xz.y);
+    }
+    float highest = max(0.5 * height - margin, 0.0);
+    vec2 xz = p.xz * (radius / distance);
+    return vec3(xz.x, clamp(p.y, -highest, highest), xz.y);
 }
 
 /// Outward unit normal at a point near the surface; a point on the rim belongs to the side.

@@ -49,6 +49,15 @@ QuadricPoint spherePoint(Quadric sphere, vec3 p) {
     return point;
 }
 
+/// How far points are kept off the rims of a solid: moved off their face by their error, they still
+/// have to lie on the inner side of the other one, as far as a ray from there can tell. That is a
+/// sum of 32 roundings of the solid's size and eight of its coordinates.
+float rimMargin(Quadric quadric) {
+    vec3 center = abs(quadric.center);
+    return GAMMA(32.0) * (quadric.radius + abs(quadric.extent)) +
+           GAMMA(8.0) * (center.x + center.y + center.z);
+}
+
 /// The surface point nearest to `p`, which is given in the quadric's frame. Error: projection and
 /// rotation take at most eight operations on numbers no larger than the shape, the sum with the
 /// centre one more on its coordinates.
@@ -61,10 +70,10 @@ QuadricPoint quadricPoint(Quadric quadric, vec3 p) {
     vec3 normal = vec3(0.0, 1.0, 0.0);
     if (hasCylinders && quadric.kind == kCylinder) {
         normal = cylinderNormal(p, quadric.radius, quadric.extent);
-        p = projectOntoCylinder(p, quadric.radius, quadric.extent);
+        p = projectOntoCylinder(p, quadric.radius, quadric.extent, rimMargin(quadric));
     } else if (hasCones && quadric.kind == kCone) {
         normal = coneNormal(p, quadric.extent, quadric.slope);
-        p = projectOntoCone(p, quadric.extent, quadric.slope);
+        p = projectOntoCone(p, quadric.extent, quadric.slope, rimMargin(quadric));
     } else {
         p.y = 0.0;
     }

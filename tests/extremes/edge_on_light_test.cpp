@@ -29,7 +29,7 @@ Judgement judgeAt(double angle, const glm::dmat3& rotation) {
     };
     SceneBuilder builder;
     builder.polygon(turned(kLamp), builder.material(0.0, 1.0));
-    builder.polygon(turned({{-3, 0, 3}, {3, 0, 3}, {3, 0, -3}, {-3, 0, -3}}),
+    builder.polygon(turned({{-3, 0, 3}, {3, 0, 3}, {3, 0, -2}, {-3, 0, -2}}),
                     builder.material(kFloorAlbedo, 0.0));
     lookDownAt(builder, angle, 0.0, 0.5, 0.01 * angle);
     Camera& camera = builder.scene().camera;

@@ -22,6 +22,8 @@ namespace calotype::test {
 namespace {
 
 constexpr double kRoundoffOfFloat = 0x1p-23;
+/// A random number is a multiple of 2^-24.
+constexpr uint32_t kNumbers = 1u << 24;
 constexpr float kLargest = 1.0f - 0x1p-24f;
 constexpr std::array kEnds = {0.0f, 0x1p-24f, 0.25f, 0.5f, 1.0f - 0x1p-23f, kLargest};
 
@@ -103,18 +105,22 @@ TEST_F(PinnedNumbers, ChooseLightsThatShine) {
     const uint32_t count = packed.lightCount;
     ASSERT_EQ(count, 75u);
     std::vector<gpu::TestLightQuery> queries;
-    for (uint32_t i = 0; i <= count; ++i)
-        for (const float y : kEnds) {
-            const float x = std::min(float(i) / float(count), kLargest);
-            queries.push_back({{}, 0, {0.5f, 0.5f, x, y}, count, 0, 0, 0});
-        }
+    std::vector<uint32_t> columns;
+    for (uint32_t column = 0; column < count; ++column)
+        for (const uint32_t end : {0u, 1u}) // its first number, and its last
+            for (const float y : kEnds) {
+                const uint32_t number = ((column + end) * kNumbers + count - 1) / count - end;
+                const float x = static_cast<float>(number) / static_cast<float>(kNumbers);
+                queries.push_back({{}, 0, {0.5f, 0.5f, x, y}, count, 0, 0, 0});
+                columns.push_back(column);
+            }
     const SceneBuffers buffers(testDevice(), packed);
     const auto results = runKernel<gpu::TestLightSample>(kLightSampleSpirv, queries,
                                                          buffers.bindings(), kTestInputBinding);
     for (size_t i = 0; i < results.size(); ++i) {
-        const auto column = static_cast<uint32_t>(queries[i].u.z * float(count));
-        const gpu::Light& light = packed.lights[column];
-        ASSERT_EQ(results[i].chosen, queries[i].u.w < light.aliasThreshold ? column : light.alias);
+        const gpu::Light& light = packed.lights[columns[i]];
+        ASSERT_EQ(results[i].chosen,
+                  queries[i].u.w < light.aliasThreshold ? columns[i] : light.alias);
         ASSERT_GT(packed.lights[results[i].chosen].selectionChance, 0.0f);
     }
 }

@@ -1,10 +1,13 @@
 // The same scene a million times smaller or larger, and moved by a million times its size, gives
-// the same picture: the reference tracer's of the scene as it was.
+// the same picture: the reference tracer's of the scene as it was. And what is closed stays dark.
 #include <array>
 
+#include "extremes/closed_meshes.h"
 #include "extremes/picture_agreement.h"
 #include "extremes/scaled_scene.h"
 #include "support/gpu_test.h"
+#include "support/render_scene.h"
+#include "support/test_scenes.h"
 
 namespace calotype::test {
 namespace {
@@ -29,14 +32,58 @@ TEST_P(ScaledScene, GivesTheSamePicture) {
     expectAgreement(agreementWithReference(placed, scene, 32, 32), 1e-4, 0.01);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    By, ScaledScene,
-    testing::Values(Placement{"One", 1.0, {}}, Placement{"Thousandth", 1e-3, {}},
-                    Placement{"Millionth", 1e-6, {}}, Placement{"Thousand", 1e3, {}},
-                    Placement{"Million", 1e6, {}}, Placement{"OneFarAway", 1.0, kFarAway},
-                    Placement{"MillionthFarAway", 1e-6, kFarAway},
-                    Placement{"MillionFarAway", 1e6, kFarAway}),
-    [](const auto& placement) { return std::string(placement.param.name); });
+/// White within, seen from within, in a world that shines from everywhere.
+Scene insideOf(Shape shape) {
+    Scene scene = sceneOf({std::move(shape)});
+    scene.materials[0].color = glm::dvec3(1.0);
+    scene.background = glm::dvec3(1.0);
+    scene.camera.position = {0.1, 0.002, 0.0015};
+    scene.camera.verticalFov = 2.0;
+    scene.render.maxBounces = 30;
+    return scene;
+}
+
+/// By 13,000 rays for each pixel, in all shapes together.
+void expectDark(const Placement& placement, uint32_t side) {
+    const Shape closed[] = {
+        shapeOf(Sphere{{}, 1.0}),
+        shapeOf(Cylinder{{}, 1.0, 2.0}),
+        shapeOf(Cone{{glm::dmat3(1.0), {0.0, 1.0, 0.0}}, -2.0, 1.0}),
+        shapeOf(turned(cubeMesh(3))),
+        shapeOf(displacedBall(3)),
+        shapeOf(stretched(cubeMesh(3), {1.0, 0.01, 0.01})),
+        shapeOf(stretched(turned(icosphere(2, {}, 1.0)), {1.0, 0.01, 0.01})),
+    };
+    for (const Shape& shape : closed) {
+        RenderWish wish;
+        wish.width = wish.height = side;
+        wish.samplesPerPixel = 64;
+        const RenderedScene result = renderScene(
+            scaledAndMoved(insideOf(shape), placement.scale, placement.scale * placement.offset),
+            wish);
+        EXPECT_EQ(result.totals.cutPaths, 0u);
+        size_t lit = 0;
+        for (const glm::vec3& pixel : result.image.pixels)
+            lit += pixel != glm::vec3(0.0f) ? 1 : 0;
+        EXPECT_EQ(lit, 0u) << "of closed shape " << &shape - closed;
+    }
+}
+
+TEST_P(ScaledScene, LetsNoLightIntoWhatIsClosed) { expectDark(GetParam(), 16); }
+
+using SlowScaledScene = ScaledScene;
+TEST_P(SlowScaledScene, LetsNoLightIntoWhatIsClosed) { expectDark(GetParam(), 64); }
+
+const auto kPlacements = testing::Values(
+    Placement{"One", 1.0, {}}, Placement{"Thousandth", 1e-3, {}}, Placement{"Millionth", 1e-6, {}},
+    Placement{"Thousand", 1e3, {}}, Placement{"Million", 1e6, {}},
+    Placement{"OneFarAway", 1.0, kFarAway}, Placement{"MillionthFarAway", 1e-6, kFarAway},
+    Placement{"MillionFarAway", 1e6, kFarAway});
+const auto nameOfPlacement = [](const auto& placement) {
+    return std::string(placement.param.name);
+};
+INSTANTIATE_TEST_SUITE_P(By, ScaledScene, kPlacements, nameOfPlacement);
+INSTANTIATE_TEST_SUITE_P(By, SlowScaledScene, kPlacements, nameOfPlacement);
 
 } // namespace
 } // namespace calotype::test

@@ -110,6 +110,29 @@ TEST(ReferenceBsdf, ConservesEnergyWhereItShould) {
     });
 }
 
+// On both sides of the threshold below which a metal is a mirror, it reflects as much.
+TEST(ReferenceBsdf, BecomesAMirrorContinuously) {
+    RandomNumbers random(205);
+    for (const Masking masking : {Masking::Schlick, Masking::Smith})
+        for (const double cosThetaO : kCosines) {
+            Material metal;
+            metal.type = MaterialType::Metal;
+            metal.color = {0.9, 0.6, 0.3};
+            metal.masking = masking;
+            const auto albedo = [&](double alpha) {
+                metal.roughness = std::sqrt(alpha);
+                const Bsdf bsdf = bsdfOf(metal, viewer(cosThetaO));
+                EXPECT_EQ(bsdf.isSpecular(), alpha < Bsdf::kMirrorAlpha);
+                std::vector<double> weights;
+                for (int i = 0; i < 2000; ++i)
+                    weights.push_back(bsdf.sample(someNumbers(random)).weight.y);
+                return estimate(weights).mean;
+            };
+            const double mirror = albedo(0.999 * Bsdf::kMirrorAlpha);
+            EXPECT_NEAR(albedo(1.001 * Bsdf::kMirrorAlpha), mirror, 1e-3 * mirror) << cosThetaO;
+        }
+}
+
 Bsdf boundaryOf(double ior, const glm::dvec3& wo) {
     Material glass;
     glass.type = MaterialType::Dielectric;
