@@ -81,6 +81,17 @@ TEST(FolderOrderTest, ReferenceKnowsTheSceneOnly) {
     EXPECT_GT(files, 0u);
 }
 
+// Else an include could pass by the two tests above.
+TEST(FolderOrderTest, IncludesStartAtARootAndAreQuoted) {
+    static const std::regex evasive(
+        R"re(^\s*#\s*include\s*("\.|"[^"]*/\.\./|<(base|math|image|scene|accel|shared)/))re"
+        R"re(|^\s*#\s*include\s*<(pack|gpu|film|kernels|reference|render|cli)/)re");
+    for (const char* folder : {"host", "shaders", "tests"})
+        for (const fs::path& file : filesBelow(kRoot / folder))
+            for (const std::string& line : linesOf(file))
+                EXPECT_FALSE(std::regex_search(line, evasive)) << file << ": " << line;
+}
+
 // Shader library code is pure, so that a test kernel can call the very function that the renderer
 // calls: resources and specialization constants are declared in scene/ and kernels/ only.
 TEST(FolderOrderTest, ShaderLibraryIsPure) {
