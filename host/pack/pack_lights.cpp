@@ -5,7 +5,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "base/error.h"
 #include "pack/alias_table.h"
 #include "scene/scene_bounds.h"
 #include "shared/bindings.h"
@@ -19,24 +18,13 @@ double maxComponent(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
 } // namespace
 
-/// Radiance that float holds with room for sums and products.
-void LightPacker::requireFloatRange(const glm::dvec3& radiance, const std::string& place) {
-    constexpr double kFaintest = 1e-30;
-    constexpr double kBrightest = 1e30;
-    const double largest = maxComponent(radiance);
-    if (largest > kBrightest || (largest > 0.0 && largest < kFaintest))
-        throw SceneError(place,
-                         "emits a radiance that is neither 0 nor from 1e-30 to 1e30 W/(m^2 sr)");
-    maxRadiance_ = std::max(maxRadiance_, largest);
-}
-
 bool LightPacker::add(uint32_t materialIndex, uint32_t name, uint32_t number, double area) {
     const Material& material = scene_.materials[materialIndex];
     // A light that is off but hidden from the camera still has to be seen through.
     const bool shines = maxComponent(material.emission) > 0.0 && area > 0.0;
     if (!shines && material.visibleToCamera)
         return false;
-    requireFloatRange(material.emission, "material '" + material.name + "'");
+    maxRadiance_ = std::max(maxRadiance_, maxComponent(material.emission));
     gpu::Light light{};
     light.radiance = glm::vec3(material.emission);
     light.primitive = name;
@@ -56,7 +44,7 @@ bool LightPacker::add(uint32_t materialIndex, uint32_t name, uint32_t number, do
 void LightPacker::addBackground() {
     if (scene_.background == glm::dvec3(0.0))
         return;
-    requireFloatRange(scene_.background, "/background");
+    maxRadiance_ = std::max(maxRadiance_, maxComponent(scene_.background));
     const Bounds3d bounds = sceneBounds(scene_);
     const double radius = bounds.isEmpty() ? 1.0 : 0.5 * glm::length(bounds.extent());
     const double area = 4.0 * std::numbers::pi * radius * radius;

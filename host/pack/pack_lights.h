@@ -36,7 +36,6 @@ private:
     };
 
     void addBackground();
-    void requireFloatRange(const glm::dvec3& radiance, const std::string& place);
 
     const Scene& scene_;
     SceneFeatures& features_;

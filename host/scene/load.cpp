@@ -8,6 +8,7 @@
 #include "scene/load_context.h"
 #include "scene/model_scene.h"
 #include "scene/names.h"
+#include "scene/radiance_range.h"
 #include "scene/read_color.h"
 #include "scene/read_file.h"
 #include "scene/read_lights.h"
@@ -100,6 +101,7 @@ Scene loadScene(const std::string& path, const LoadOptions& options) {
         JsonObject(JsonValue(document, path), {"$schema", "camera", "film", "render", "background",
                                                "textures", "materials", "shapes", "lights"}),
         context);
+    requireRadianceInRange(context.scene, path);
     warnOfExcessEnergy(context);
     warnOfLimits(context, path);
     warnIfBlack(context, path);

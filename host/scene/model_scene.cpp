@@ -14,6 +14,7 @@
 #include "scene/limit_warnings.h"
 #include "scene/load_context.h"
 #include "scene/names.h"
+#include "scene/radiance_range.h"
 #include "scene/read_file.h"
 #include "scene/read_shapes.h"
 
@@ -157,6 +158,7 @@ Scene loadModelScene(const std::string& path, const LoadOptions& options) {
     for (const LightPlan& plan : kLights) {
         addLight(plan, extent, context);
     }
+    requireRadianceInRange(context.scene, path);
     warnOfExcessEnergy(context);
     warnOfLimits(context, path);
     scene.hash = context.hash.value();

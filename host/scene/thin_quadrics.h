@@ -5,7 +5,7 @@
 namespace calotype {
 
 /// The height of a cylinder over its radius or the slope of a cone, and the inverse of either, up
-/// to which at most one ray in a hundred mistakes one face for another. Rays start up to 14
+/// to which one in 70 of the rays inward starts beyond the far face. Rays start up to 14
 /// roundings, 1.7e-6 of the shape's largest measure, off a face, and beyond the next where that is
 /// nearer: along the rim of a flat cone at the least slope.
 constexpr double kThinnestProportion = 1e4;

@@ -46,13 +46,11 @@ Interaction triangleInteraction(uint index, Ray ray) {
     vec3 edge2 = triangle.v2 - triangle.v0;
     vec2 b = triangleBarycentrics(shearedRay(ray.origin, ray.direction), triangle.v0, triangle.v1,
                                   triangle.v2);
-    TrianglePlane plane = trianglePlane(edge1, edge2);
-    vec2 weights = weightsOffEdges(b, triangle.v0, plane);
-    vec3 along1 = weights.x * edge1;
-    vec3 along2 = weights.y * edge2;
+    vec3 along1 = b.x * edge1;
+    vec3 along2 = b.y * edge2;
     Interaction surface;
     surface.position = triangle.v0 + (along1 + along2);
-    surface.ng = plane.normal;
+    surface.ng = triangleNormal(edge1, edge2);
     surface.error = triangleError(surface.position, along1, along2, surface.ng);
     surface.ns = surface.ng;
     surface.horizon = surface.ng;

@@ -2,6 +2,7 @@
 #ifndef CALOTYPE_SHAPES_QUADRIC_GLSL
 #define CALOTYPE_SHAPES_QUADRIC_GLSL
 
+#include "core/select.glsl"
 #include "scene/features.glsl"
 #include "shapes/cone.glsl"
 #include "shapes/cylinder.glsl"
@@ -51,11 +52,14 @@ QuadricPoint spherePoint(Quadric sphere, vec3 p) {
 
 /// How far points are kept off the rims of a solid: moved off their face by their error, they still
 /// have to lie on the inner side of the other one, as far as a ray from there can tell. That is a
-/// sum of 32 roundings of the solid's size and eight of its coordinates.
+/// sum of 32 roundings of the solid's size and eight of its coordinates; but for solids so far that
+/// this would move points visibly, no more than a 64th of their size.
 float rimMargin(Quadric quadric) {
     vec3 center = abs(quadric.center);
-    return GAMMA(32.0) * (quadric.radius + abs(quadric.extent)) +
-           GAMMA(8.0) * (center.x + center.y + center.z);
+    float height = abs(quadric.extent);
+    return GAMMA(32.0) * (quadric.radius + height) +
+           lesser(GAMMA(8.0) * (center.x + center.y + center.z),
+                  0.015625 * lesser(quadric.radius, height));
 }
 
 /// The surface point nearest to `p`, which is given in the quadric's frame. Error: projection and

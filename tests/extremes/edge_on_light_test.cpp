@@ -1,4 +1,6 @@
 // Floor points that lie in a lamp's plane, or nearly: the lamp is seen edge on.
+#include <algorithm>
+
 #include <glm/geometric.hpp>
 
 #include "extremes/irradiance.h"
@@ -29,7 +31,7 @@ Judgement judgeAt(double angle, const glm::dmat3& rotation) {
     };
     SceneBuilder builder;
     builder.polygon(turned(kLamp), builder.material(0.0, 1.0));
-    builder.polygon(turned({{-3, 0, 3}, {3, 0, 3}, {3, 0, -2}, {-3, 0, -2}}),
+    builder.polygon(turned({{-3, 0, 3}, {3, 0, 3}, {3, 0, -3}, {-3, 0, -3}}),
                     builder.material(kFloorAlbedo, 0.0));
     lookDownAt(builder, angle, 0.0, 0.5, 0.01 * angle);
     Camera& camera = builder.scene().camera;
@@ -47,7 +49,7 @@ const glm::dmat3 kTurned = rotationTakingYTo(glm::normalize(glm::dvec3(1, 2, 3))
 void expectLitAt(double angle, const glm::dmat3& rotation) {
     SCOPED_TRACE(angle);
     const Judgement judgement = judgeAt(angle, rotation);
-    const double bound = std::max(kAngleError / angle, 1e-6);
+    const double bound = std::clamp(kAngleError / angle, 1e-6, 0.5); // half of it is surely seen
     expectJudgement(judgement, bound);
     const double expected = floorRadiance(polygonIrradiance(kLamp, {angle, 0.0, 0.0}));
     EXPECT_NEAR(judgement.device.mean, expected,

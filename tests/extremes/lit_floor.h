@@ -10,11 +10,9 @@ namespace calotype::test {
 
 inline constexpr double kFloorAlbedo = 0.5;
 
-/// A diffuse floor in the plane y = 0, from -half to half, and farther along x: the edge between
-/// its triangles, from which points are kept off, does not pass through the origin.
+/// A diffuse floor in the plane y = 0, from -half to half.
 inline void addFloor(SceneBuilder& builder, double half) {
-    const double far = 1.25 * half;
-    builder.polygon({{-half, 0, half}, {far, 0, half}, {far, 0, -half}, {-half, 0, -half}},
+    builder.polygon({{-half, 0, half}, {half, 0, half}, {half, 0, -half}, {-half, 0, -half}},
                     builder.material(kFloorAlbedo, 0.0));
     builder.scene().render.maxBounces = 1;
 }

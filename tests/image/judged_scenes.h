@@ -33,7 +33,7 @@ inline constexpr JudgedScene kJudgedScenes[] = {
     {"Cone", "scenes/cone.json"},
     {"Disk", "scenes/disk.json"},
     {"Mesh", "scenes/mesh.json"},
-    {"Lanterns", "tests/image/scenes/lanterns.json", 5e-3},
+    {"Lanterns", "tests/image/scenes/lanterns.json"},
 };
 
 inline void PrintTo(const JudgedScene& scene, std::ostream* stream) { *stream << scene.name; }

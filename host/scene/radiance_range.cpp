@@ -1,0 +1,35 @@
+#include "scene/radiance_range.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "scene/borne_materials.h"
+#include "scene/names.h"
+
+namespace calotype {
+namespace {
+
+void requireInRange(const glm::dvec3& radiance, const std::string& where) {
+    constexpr double kFaintest = 1e-30;
+    constexpr double kBrightest = 1e30;
+    const double largest = std::max({radiance.x, radiance.y, radiance.z});
+    if (largest > kBrightest || (largest > 0.0 && largest < kFaintest)) {
+        throw SceneError(where, "emits a radiance that is neither 0 nor from 1e-30 to 1e30 "
+                                "W/(m^2 sr); scale all lights alike, and the exposure back");
+    }
+}
+
+} // namespace
+
+void requireRadianceInRange(const Scene& scene, const std::string& path) {
+    requireInRange(scene.background, path + ": /background");
+    const std::vector<bool> borne = borneMaterials(scene);
+    for (size_t i = 0; i < borne.size(); ++i) {
+        if (borne[i]) {
+            requireInRange(scene.materials[i].emission,
+                           path + ": material " + inQuotes(scene.materials[i].name));
+        }
+    }
+}
+
+} // namespace calotype
