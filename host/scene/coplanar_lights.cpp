@@ -11,8 +11,8 @@
 namespace calotype {
 namespace {
 
-/// Of a light's distance from the camera. The device tells surfaces apart that lie 3e-7 of it from
-/// each other or more (measured; tests/extremes).
+/// Of a light's distance from the camera: the device tells surfaces apart that lie so far from each
+/// other (CoplanarLightTest in tests/extremes), and mixes some that lie a tenth as far.
 constexpr double kGap = 1e-6;
 constexpr double kMostPairs = 1e7;
 constexpr size_t kMostNamed = 5; ///< lights, lest a grid of lamps fill the screen

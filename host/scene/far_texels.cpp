@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -13,13 +12,6 @@
 
 namespace calotype {
 namespace {
-
-std::string rounded(double number) {
-    std::ostringstream text;
-    text.precision(2);
-    text << number;
-    return text.str();
-}
 
 /// Where a texture is read farthest from the origin of its coordinates.
 struct FarthestLookup {
@@ -104,9 +96,9 @@ void warnOfFarTexels(LoadContext& context) {
     }
     for (const auto& [shape, excess] : excesses) {
         context.warn(context.scene.shapes[shape].place,
-                     "textures are read up to " + rounded(excess.texels) +
+                     "textures are read up to " + twoDigits(excess.texels) +
                          " texels from their origin, where single precision is off by up to " +
-                         rounded(0.5 * excess.texels / kFarthestTexel) +
+                         twoDigits(0.5 * excess.texels / kFarthestTexel) +
                          " of them (take whole numbers off the texture coordinates, or repeat the "
                          "textures less): " +
                          listInQuotes(excess.names));

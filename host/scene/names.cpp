@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 namespace calotype {
 namespace {
@@ -60,6 +61,13 @@ std::string printable(std::string_view text) {
 }
 
 std::string inQuotes(std::string_view text) { return '"' + printable(text) + '"'; }
+
+std::string twoDigits(double number) {
+    std::ostringstream text;
+    text.precision(2);
+    text << number;
+    return text.str();
+}
 
 std::string listInQuotes(std::span<const std::string> names) {
     std::string list;

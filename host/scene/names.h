@@ -12,6 +12,9 @@ std::string printable(std::string_view text);
 /// `printable(text)` in double quotes.
 std::string inQuotes(std::string_view text);
 
+/// A number for a message, to two digits.
+std::string twoDigits(double number);
+
 /// Names in quotes, separated by commas; the first twenty if there are many.
 std::string listInQuotes(std::span<const std::string> names);
 

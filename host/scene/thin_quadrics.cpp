@@ -1,18 +1,12 @@
 #include "scene/thin_quadrics.h"
 
 #include <algorithm>
-#include <sstream>
 #include <string>
+
+#include "scene/names.h"
 
 namespace calotype {
 namespace {
-
-std::string rounded(double number) {
-    std::ostringstream text;
-    text.precision(2);
-    text << number;
-    return text.str();
-}
 
 /// A measure along over one across, or 1 for shapes that are thin in no way.
 double proportionOf(const Shape& shape) {
@@ -46,7 +40,7 @@ void warnOfThinQuadrics(LoadContext& context) {
         const bool isCone = std::holds_alternative<Cone>(thinnest->geometry);
         context.warn(thinnest->place,
                      std::string("the ") + (isCone ? "cone" : "cylinder") + " is " +
-                         rounded(greatest) + " times larger one way than the other" +
+                         twoDigits(greatest) + " times larger one way than the other" +
                          (count > 1 ? ", the most of " + std::to_string(count) + " so thin" : "") +
                          "; beyond 1e4 single precision lets light through its edges");
     }

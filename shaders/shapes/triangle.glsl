@@ -15,9 +15,10 @@
 //     m_i = |e1_j e2_k| + |e1_k e2_j|
 // (two differences, a product and their difference), so n.s and n.d carry gamma_8 of m.|s| and
 // m.|d|. Where both are larger than that, their signs are certain: a ray does not meet the plane
-// that it leaves, and a hit is not lost however thin the triangle is. Else the origin lies in the
-// plane, or the ray runs along it, as far as float can tell; the hit then counts if all of the
-// triangle lies ahead. The hit is a mean of the corners, so t is held to their range.
+// that it leaves, and a hit is not lost however thin the triangle is, from sizes of 1e-12 m on,
+// below which the products underflow. Else the origin lies in the plane, or the ray runs along it,
+// as far as float can tell; the hit then counts if all of the triangle lies ahead. The hit is a
+// mean of the corners, so t is held to their range.
 #ifndef CALOTYPE_SHAPES_TRIANGLE_GLSL
 #define CALOTYPE_SHAPES_TRIANGLE_GLSL
 

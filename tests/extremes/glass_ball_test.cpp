@@ -45,11 +45,7 @@ class GlassBall : public GpuTest, public testing::WithParamInterface<double> {};
 
 TEST_P(GlassBall, KeepsTheEnergyOfAFurnace) {
     const Scene scene = ballInAFurnace(GetParam());
-    RenderSettings settings;
-    settings.width = settings.height = kSide;
-    settings.crop = {0, 0, kSide, kSide};
-    settings.maxBounces = scene.render.maxBounces;
-    settings.seed = scene.render.seed;
+    const RenderSettings settings = squareSettings(scene, kSide, scene.render.seed);
     DeviceTracer device(scene, settings);
     const TileMeans seen = renderTileMeans(device.tracer(), kSide, kSide, kBlocks);
     const reference::ReferenceTracer tracer(scene, {kSide, kSide}, settings.maxBounces);

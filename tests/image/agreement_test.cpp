@@ -24,7 +24,7 @@ constexpr uint32_t kSeed = 7;
 class Judged {
 public:
     Judged(const Scene& scene, uint32_t side)
-        : settings_(settingsFor(scene, side)),
+        : settings_(squareSettings(scene, side, kSeed)),
           reference_(scene, {side, side}, settings_.maxBounces),
           block_(reference_, settings_, kThreads), device_(scene, settings_) {}
 
@@ -33,16 +33,6 @@ public:
 
     TileMeans referenceMeans(size_t blocks) { return means(block_, blocks); }
     TileMeans deviceMeans(size_t blocks) { return means(device_.tracer(), blocks); }
-
-    static RenderSettings settingsFor(const Scene& scene, uint32_t side) {
-        RenderSettings settings;
-        settings.width = side;
-        settings.height = side;
-        settings.crop = {0, 0, side, side};
-        settings.maxBounces = scene.render.maxBounces;
-        settings.seed = kSeed;
-        return settings;
-    }
 
 private:
     TileMeans means(BlockTracer& tracer, size_t blocks) {
@@ -57,9 +47,7 @@ private:
 
 /// The device's picture from other random numbers.
 TileMeans independentMeans(const Scene& scene, uint32_t side, size_t blocks) {
-    RenderSettings settings = Judged::settingsFor(scene, side);
-    settings.seed = kSeed + 1;
-    DeviceTracer device(scene, settings);
+    DeviceTracer device(scene, squareSettings(scene, side, kSeed + 1));
     return renderTileMeans(device.tracer(), side, side, blocks);
 }
 
@@ -150,7 +138,7 @@ TEST_F(JudgedScenesTest, NeedEveryFeatureTogether) {
     for (const JudgedScene& judged : kJudgedScenes) {
         const Scene scene = projectScene(judged.path);
         const SceneFeatures needed =
-            DeviceTracer(scene, Judged::settingsFor(scene, 8)).packed().features;
+            DeviceTracer(scene, squareSettings(scene, 8, kSeed)).packed().features;
         for (size_t i = 0; i < needed.enabled.size(); ++i)
             together.enabled[i] = together.enabled[i] || needed.enabled[i];
     }

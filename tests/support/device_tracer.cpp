@@ -15,6 +15,16 @@ GpuScene pack(const Scene& scene, const RenderSettings& settings) {
 
 } // namespace
 
+RenderSettings squareSettings(const Scene& scene, uint32_t side, uint32_t seed) {
+    RenderSettings settings;
+    settings.width = side;
+    settings.height = side;
+    settings.crop = {0, 0, side, side};
+    settings.maxBounces = scene.render.maxBounces;
+    settings.seed = seed;
+    return settings;
+}
+
 DeviceTracer::DeviceTracer(const Scene& scene, const RenderSettings& settings,
                            const std::optional<SceneFeatures>& features)
     : packed_(pack(scene, settings)), buffers_(testDevice(), packed_),

@@ -9,6 +9,9 @@
 
 namespace calotype::test {
 
+/// For a square picture of a scene, `side` pixels wide, with the scene's own bounces.
+RenderSettings squareSettings(const Scene& scene, uint32_t side, uint32_t seed);
+
 /// A scene packed for the test device, with the kernel that renders it.
 class DeviceTracer {
 public:
