@@ -1,7 +1,7 @@
 # calotype_embed_kernels(TARGET SOURCE...)
 #
 # Compiles each GLSL compute shader to SPIR-V 1.5 for Vulkan 1.2, checks it with spirv-val, and
-# makes it available to TARGET as `#include "kernels/NAME.spv.h"`, which defines
+# makes it available to TARGET and what links it as `#include "kernels/NAME.spv.h"`, which defines
 # `const uint32_t kNameSpirv[]` (path_trace.comp -> kPathTraceSpirv). What a shader includes is
 # tracked by glslang's dependency file.
 find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
@@ -39,5 +39,5 @@ function(calotype_embed_kernels target)
             VERBATIM)
         target_sources(${target} PRIVATE ${header})
     endforeach()
-    target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/${target}_spirv)
+    target_include_directories(${target} PUBLIC ${CMAKE_CURRENT_BINARY_DIR}/${target}_spirv)
 endfunction()

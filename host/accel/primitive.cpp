@@ -44,12 +44,8 @@ void requirePackable(const Bounds3f& bounds, const Shape& shape) {
 } // namespace
 
 glm::dvec3 packingOrigin(const Scene& scene) {
-    const Bounds3d bounds = sceneBounds(scene);
-    const glm::dvec3 camera = scene.camera.position;
-    if (bounds.isEmpty())
-        return camera;
-    const glm::dvec3 origin = glm::clamp(camera, bounds.lower, bounds.upper);
-    if (glm::distance(camera, origin) > kLargestCoordinate)
+    const glm::dvec3 origin = cameraWithinBounds(scene);
+    if (glm::distance(scene.camera.position, origin) > kLargestCoordinate)
         throw SceneError("the camera", "is more than 1e12 metres from the scene; bring it closer");
     return origin;
 }

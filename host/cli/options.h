@@ -12,12 +12,6 @@
 
 namespace calotype {
 
-/// Width and height in pixels.
-struct PictureSize {
-    uint32_t width = 0;
-    uint32_t height = 0;
-};
-
 /// When to write a preview: after so many samples, or so many seconds; 0 means never.
 struct PreviewInterval {
     uint32_t samples = 0;

@@ -37,8 +37,8 @@ void step(Progress& progress, const std::string& what, double done) {
 
 RenderSettings makeSettings(const RenderOptions& options, const Scene& scene) {
     RenderSettings settings;
-    settings.width = options.size ? options.size->width : scene.film.width;
-    settings.height = options.size ? options.size->height : scene.film.height;
+    settings.width = scene.film.width;
+    settings.height = scene.film.height;
     settings.crop = options.crop.value_or(Crop{0, 0, settings.width, settings.height});
     const Crop& crop = settings.crop;
     if (crop.x >= settings.width || crop.width > settings.width - crop.x ||
@@ -97,6 +97,7 @@ private:
         LoadOptions loadOptions;
         loadOptions.overrides = options_.scene.overrides;
         loadOptions.missingTextures = options_.scene.missingTextures;
+        loadOptions.size = options_.size;
         loadOptions.onProgress = [&](const std::string& what, double done) {
             step(progress, "loading " + what, done);
         };

@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <set>
+#include <span>
 #include <sstream>
 
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 namespace calotype {
 namespace {
@@ -17,53 +21,42 @@ constexpr double kGap = 1e-6;
 constexpr double kMostPairs = 1e7;
 constexpr size_t kMostNamed = 5; ///< lights, lest a grid of lamps fill the screen
 
-/// A triangle or a disk.
+/// A triangle, or a disk as a polygon within it, which leaves out 2 % of its radius at most.
 struct Facet {
+    static constexpr size_t kMostCorners = 16;
+
     size_t shape = 0;
-    glm::dvec3 center{0.0};
-    glm::dvec3 normal{0.0};              ///< unit
-    std::array<glm::dvec3, 3> corners{}; ///< of a disk, points on its rim
-    double radius = 0.0;                 ///< of a disk; 0 for a triangle
+    size_t number = 0; ///< within the shape
     bool shines = false;
+    glm::dvec3 normal{0.0}; ///< unit
+    size_t cornerCount = 0;
+    std::array<glm::dvec3, kMostCorners> polygon{};
 
-    double distanceFromPlane(const glm::dvec3& point) const {
-        return std::abs(glm::dot(normal, point - center));
-    }
-
-    /// Of a point in the plane.
-    bool contains(const glm::dvec3& point) const {
-        if (radius > 0.0) {
-            return glm::distance(point, center) < radius;
-        }
-        for (size_t i = 0; i < 3; ++i) {
-            const glm::dvec3 edge = corners[(i + 1) % 3] - corners[i];
-            if (glm::dot(glm::cross(edge, point - corners[i]), normal) < 0.0) {
-                return false;
-            }
-        }
-        return true;
-    }
+    std::span<const glm::dvec3> corners() const { return {polygon.data(), cornerCount}; }
 };
 
 Facet facetOf(const Disk& disk) {
     const glm::dmat3& frame = disk.worldFromObject.rotation;
     Facet facet;
-    facet.center = disk.worldFromObject.translation;
     facet.normal = frame[1];
-    facet.radius = disk.radius;
-    facet.corners = {facet.center + disk.radius * frame[0], facet.center + disk.radius * frame[2],
-                     facet.center - disk.radius * (frame[0] + frame[2]) * std::sqrt(0.5)};
+    facet.cornerCount = Facet::kMostCorners;
+    for (size_t i = 0; i < facet.cornerCount; ++i) {
+        const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) /
+                             static_cast<double>(facet.cornerCount);
+        facet.polygon[i] = disk.worldFromObject.translation +
+                           disk.radius * (std::sin(angle) * frame[0] + std::cos(angle) * frame[2]);
+    }
     return facet;
 }
 
 Facet facetOf(const Mesh& mesh, const Mesh::Triangle& triangle) {
     Facet facet;
+    facet.cornerCount = 3;
     for (size_t i = 0; i < 3; ++i) {
-        facet.corners[i] = mesh.positions[triangle.position[i]];
-        facet.center += facet.corners[i] / 3.0;
+        facet.polygon[i] = mesh.positions[triangle.position[i]];
     }
     facet.normal = glm::normalize(
-        glm::cross(facet.corners[1] - facet.corners[0], facet.corners[2] - facet.corners[0]));
+        glm::cross(facet.polygon[1] - facet.polygon[0], facet.polygon[2] - facet.polygon[0]));
     return facet;
 }
 
@@ -75,8 +68,10 @@ void forEachFacet(const Scene& scene, const Visit& visit) {
     };
     for (size_t i = 0; i < scene.shapes.size(); ++i) {
         const Shape& shape = scene.shapes[i];
+        size_t number = 0;
         const auto visitOne = [&](Facet facet, uint32_t material) {
             facet.shape = i;
+            facet.number = number++;
             facet.shines = shines(material);
             visit(facet);
         };
@@ -90,30 +85,52 @@ void forEachFacet(const Scene& scene, const Visit& visit) {
     }
 }
 
-/// Points within, whatever the facet's kind.
-std::array<glm::dvec3, 4> innerPoints(const Facet& facet) {
-    const auto halfWay = [&](size_t corner) {
-        return 0.5 * (facet.center + facet.corners[corner]);
-    };
-    return {facet.center, halfWay(0), halfWay(1), halfWay(2)};
+/// How far the facet reaches along an axis, from and to.
+glm::dvec2 reach(const Facet& facet, const glm::dvec3& axis) {
+    glm::dvec2 reach(std::numeric_limits<double>::infinity(),
+                     -std::numeric_limits<double>::infinity());
+    for (const glm::dvec3& corner : facet.corners()) {
+        const double along = glm::dot(axis, corner);
+        reach = {std::min(reach.x, along), std::max(reach.y, along)};
+    }
+    return reach;
 }
 
-bool overlap(const Facet& a, const Facet& b) {
-    return std::ranges::any_of(innerPoints(a), [&](const auto& p) { return b.contains(p); }) ||
-           std::ranges::any_of(innerPoints(b), [&](const auto& p) { return a.contains(p); });
+/// True where a line along an edge of `a` parts the two, or leaves them less than `tolerance` to
+/// share.
+bool isPartedByAnEdge(const Facet& a, const Facet& b, double tolerance) {
+    const std::span<const glm::dvec3> corners = a.corners();
+    for (size_t i = 0; i < corners.size(); ++i) {
+        const glm::dvec3 edge = corners[(i + 1) % corners.size()] - corners[i];
+        const glm::dvec3 axis = glm::normalize(glm::cross(edge, a.normal));
+        const glm::dvec2 reachOfA = reach(a, axis);
+        const glm::dvec2 reachOfB = reach(b, axis);
+        if (std::min(reachOfA.y, reachOfB.y) - std::max(reachOfA.x, reachOfB.x) < tolerance) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Of convex polygons in one plane (separating axes).
+bool overlap(const Facet& a, const Facet& b, double tolerance) {
+    return !isPartedByAnEdge(a, b, tolerance) && !isPartedByAnEdge(b, a, tolerance);
 }
 
 bool isInPlaneOf(const Facet& light, const Facet& other, double tolerance) {
-    return other.distanceFromPlane(light.center) < tolerance &&
-           std::ranges::all_of(light.corners, [&](const glm::dvec3& corner) {
-               return other.distanceFromPlane(corner) < tolerance;
-           });
+    return std::ranges::all_of(light.corners(), [&](const glm::dvec3& corner) {
+        return std::abs(glm::dot(other.normal, corner - other.polygon[0])) < tolerance;
+    });
 }
+
+bool isItself(const Facet& a, const Facet& b) { return a.shape == b.shape && a.number == b.number; }
 
 void warn(LoadContext& context, const Facet& light, const Facet& other, double gap) {
     std::ostringstream message;
     message.precision(1);
-    message << "lies in the plane of " << context.scene.shapes[other.shape].place
+    message << "lies in the plane of "
+            << (light.shape == other.shape ? "other triangles of its own"
+                                           : context.scene.shapes[other.shape].place)
             << ", so that rounding decides which of the two is seen; move it off by " << gap
             << " m or more";
     context.warn(context.scene.shapes[light.shape].place, message.str());
@@ -137,9 +154,9 @@ void warnOfCoplanarLights(LoadContext& context, const std::string& path) {
     std::set<size_t> coplanar;
     forEachFacet(scene, [&](const Facet& other) {
         for (const Facet& light : lights) {
-            const double gap = kGap * glm::distance(light.center, scene.camera.position);
-            if (light.shape != other.shape && !coplanar.contains(light.shape) &&
-                isInPlaneOf(light, other, gap) && overlap(light, other)) {
+            const double gap = kGap * glm::distance(light.polygon[0], scene.camera.position);
+            if (!isItself(light, other) && isInPlaneOf(light, other, gap) &&
+                !coplanar.contains(light.shape) && overlap(light, other, gap)) {
                 coplanar.insert(light.shape);
                 if (coplanar.size() <= kMostNamed) {
                     warn(context, light, other, gap);

@@ -27,10 +27,7 @@ bool isAlongAxis(const glm::dvec3& direction) {
 
 /// Metres from the camera to the box about the scene; 0 within.
 double distanceToScene(const Scene& scene) {
-    const Bounds3d bounds = sceneBounds(scene);
-    const glm::dvec3& camera = scene.camera.position;
-    return bounds.isEmpty() ? 0.0
-                            : glm::distance(camera, glm::clamp(camera, bounds.lower, bounds.upper));
+    return glm::distance(scene.camera.position, cameraWithinBounds(scene));
 }
 
 } // namespace

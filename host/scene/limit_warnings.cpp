@@ -4,6 +4,7 @@
 #include "scene/faint_lights.h"
 #include "scene/far_texels.h"
 #include "scene/fine_view.h"
+#include "scene/small_shapes.h"
 #include "scene/thin_quadrics.h"
 
 namespace calotype {
@@ -14,6 +15,7 @@ void warnOfLimits(LoadContext& context, const std::string& path) {
     warnOfFineView(context, path);
     warnOfFarTexels(context);
     warnOfThinQuadrics(context);
+    warnOfSmallShapes(context);
 }
 
 } // namespace calotype

@@ -101,6 +101,7 @@ Scene loadScene(const std::string& path, const LoadOptions& options) {
         JsonObject(JsonValue(document, path), {"$schema", "camera", "film", "render", "background",
                                                "textures", "materials", "shapes", "lights"}),
         context);
+    context.resizeFilm();
     requireRadianceInRange(context.scene, path);
     warnOfExcessEnergy(context);
     warnOfLimits(context, path);

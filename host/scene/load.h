@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,12 +17,19 @@ struct SceneOverride {
     std::string value;
 };
 
+/// Width and height in pixels.
+struct PictureSize {
+    uint32_t width = 0;
+    uint32_t height = 0;
+};
+
 /// What to do where the image file of a texture cannot be found.
 enum class MissingTextures : uint8_t { Fail, Warn }; ///< Warn: show magenta in its place
 
 struct LoadOptions {
     MissingTextures missingTextures = MissingTextures::Fail;
     std::vector<SceneOverride> overrides;
+    std::optional<PictureSize> size; ///< in place of the scene's film
     /// Called now and then with what is being read, e.g. "chair.obj", and the share done in [0, 1].
     std::function<void(const std::string& what, double done)> onProgress;
 };

@@ -45,6 +45,14 @@ struct LoadContext {
     /// Of the first of Scene::materials, by their index; the others have none.
     std::vector<std::optional<Displacement>> displacements = {};
 
+    /// To the size that the options ask for, if they do.
+    void resizeFilm() {
+        if (options.size) {
+            scene.film.width = options.size->width;
+            scene.film.height = options.size->height;
+        }
+    }
+
     uint32_t addMaterial(Material material) {
         scene.materials.push_back(std::move(material));
         return static_cast<uint32_t>(scene.materials.size() - 1);

@@ -158,6 +158,7 @@ Scene loadModelScene(const std::string& path, const LoadOptions& options) {
     for (const LightPlan& plan : kLights) {
         addLight(plan, extent, context);
     }
+    context.resizeFilm();
     requireRadianceInRange(context.scene, path);
     warnOfExcessEnergy(context);
     warnOfLimits(context, path);

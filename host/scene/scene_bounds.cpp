@@ -63,4 +63,10 @@ Bounds3d sceneBounds(const Scene& scene) {
     return bounds;
 }
 
+glm::dvec3 cameraWithinBounds(const Scene& scene) {
+    const Bounds3d bounds = sceneBounds(scene);
+    const glm::dvec3& camera = scene.camera.position;
+    return bounds.isEmpty() ? camera : glm::clamp(camera, bounds.lower, bounds.upper);
+}
+
 } // namespace calotype

@@ -11,4 +11,7 @@ Bounds3d shapeBounds(const Shape& shape);
 /// Of all shapes; empty where there are none.
 Bounds3d sceneBounds(const Scene& scene);
 
+/// The camera's position, or the point of the scene's bounds that is nearest to it.
+glm::dvec3 cameraWithinBounds(const Scene& scene);
+
 } // namespace calotype

@@ -7,7 +7,7 @@
 #include "image/exr.h"
 #include "image/pfm.h"
 #include "image/read_texel_image.h"
-#include "unit/image_files.h"
+#include "support/image_files.h"
 
 namespace calotype::test {
 namespace {

@@ -6,10 +6,10 @@
 #include <glm/geometric.hpp>
 
 #include "extremes/judgement.h"
-#include "image/first_hits.h"
-#include "image/scene_builder.h"
 #include "reference/reference_tracer.h"
+#include "support/first_hits.h"
 #include "support/gpu_test.h"
+#include "support/scene_builder.h"
 
 namespace calotype::test {
 namespace {

@@ -1,8 +1,8 @@
 // A scene of a millimetre inside a room of ten metres, seen from as close as its own size asks for.
 #include "extremes/picture_agreement.h"
 #include "extremes/scaled_scene.h"
-#include "image/scene_builder.h"
 #include "support/gpu_test.h"
+#include "support/scene_builder.h"
 #include "support/test_scenes.h"
 
 namespace calotype::test {

@@ -7,7 +7,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "gpu/primitive_scene.h"
+#include "support/primitive_scene.h"
 #include "support/test_quadrics.h"
 
 namespace calotype::test {

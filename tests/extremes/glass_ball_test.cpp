@@ -2,12 +2,12 @@
 // all light that enters it comes out again, so that it is not to be seen.
 #include <iostream>
 
-#include "image/scene_builder.h"
 #include "reference/reference_tracer.h"
 #include "render/reference_block.h"
 #include "support/agreement.h"
 #include "support/device_tracer.h"
 #include "support/gpu_test.h"
+#include "support/scene_builder.h"
 
 namespace calotype::test {
 namespace {

@@ -1,8 +1,8 @@
 // Objects of a metre on a ground that is a sphere of a thousand kilometres: they stand on it, their
 // contact shadows begin where they touch it, and it does not shadow itself.
 #include "extremes/picture_agreement.h"
-#include "image/scene_builder.h"
 #include "support/gpu_test.h"
+#include "support/scene_builder.h"
 #include "support/test_scenes.h"
 
 namespace calotype::test {

@@ -71,6 +71,8 @@ struct LampKind {
     const char* name;
     Lamp (*make)(double area);
 };
+void PrintTo(const LampKind& kind, std::ostream* stream) { *stream << kind.name; }
+
 constexpr LampKind kKinds[] = {{"Triangle", triangleLamp}, {"Quad", quadLamp},
                                {"Disk", diskLamp},         {"Sphere", sphereLamp},
                                {"Cylinder", cylinderLamp}, {"Cone", coneLamp}};

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <vector>
 
-#include "image/scene_builder.h"
+#include "support/scene_builder.h"
 
 namespace calotype::test {
 

@@ -4,10 +4,10 @@
 
 #include "accel/median_split.h"
 #include "image/metrics.h"
-#include "image/scene_builder.h"
 #include "render/loop_budget.h"
 #include "support/gpu_test.h"
 #include "support/render_scene.h"
+#include "support/scene_builder.h"
 #include "support/statistics.h"
 #include "support/test_scenes.h"
 

@@ -4,10 +4,10 @@
 #include "extremes/irradiance.h"
 #include "extremes/judgement.h"
 #include "extremes/lit_floor.h"
-#include "gpu/kernels/test_structs.h"
 #include "kernels/choose_light.spv.h"
 #include "render/scene_buffers.h"
 #include "support/gpu_test.h"
+#include "support/kernels/test_structs.h"
 #include "support/random_numbers.h"
 #include "support/test_scenes.h"
 

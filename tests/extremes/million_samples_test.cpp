@@ -4,10 +4,10 @@
 #include <iostream>
 
 #include "film/film.h"
-#include "image/scene_builder.h"
 #include "shared/limits.h"
 #include "support/device_tracer.h"
 #include "support/gpu_test.h"
+#include "support/scene_builder.h"
 #include "support/statistics.h"
 
 namespace calotype::test {

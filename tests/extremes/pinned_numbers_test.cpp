@@ -4,7 +4,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "gpu/primitive_scene.h"
 #include "kernels/camera_ray.spv.h"
 #include "kernels/film_sample.spv.h"
 #include "kernels/light_sample.spv.h"
@@ -12,16 +11,17 @@
 #include "pack/filter_table.h"
 #include "pack/pack_camera.h"
 #include "render/scene_buffers.h"
+#include "support/device_numbers.h"
 #include "support/gpu_test.h"
 #include "support/oracle_filter.h"
 #include "support/oracle_quadric.h"
+#include "support/primitive_scene.h"
 #include "support/test_materials.h"
 #include "support/test_scenes.h"
 
 namespace calotype::test {
 namespace {
 
-constexpr double kRoundoffOfFloat = 0x1p-23;
 /// A random number is a multiple of 2^-24.
 constexpr uint32_t kNumbers = 1u << 24;
 constexpr float kLargest = 1.0f - 0x1p-24f;

@@ -3,17 +3,17 @@
 #include <iostream>
 
 #include "extremes/close_ups.h"
-#include "gpu/primitive_scene.h"
-#include "gpu/quadric_errors.h"
 #include "scene/thin_quadrics.h"
+#include "support/device_numbers.h"
 #include "support/gpu_test.h"
 #include "support/oracle_quadric.h"
+#include "support/primitive_scene.h"
+#include "support/quadric_errors.h"
 #include "support/test_quadrics.h"
 
 namespace calotype::test {
 namespace {
 
-constexpr float kFar = 1e19f;
 constexpr uint32_t kRaysPerQuadric = 2000;
 
 /// From points of the surface, along and against its normal and all between, down to a cosine of

@@ -3,9 +3,9 @@
 #include <iostream>
 
 #include "image/metrics.h"
-#include "image/scene_builder.h"
 #include "support/gpu_test.h"
 #include "support/render_scene.h"
+#include "support/scene_builder.h"
 
 namespace calotype::test {
 namespace {
@@ -15,6 +15,8 @@ struct Room {
     Shape shape;
     glm::dvec3 camera; ///< inside
 };
+
+void PrintTo(const Room& room, std::ostream* stream) { *stream << room.name; }
 
 std::vector<Room> rooms() {
     const auto cylinder = [](double radius, double height) {

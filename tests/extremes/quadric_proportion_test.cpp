@@ -3,16 +3,15 @@
 #include <iostream>
 
 #include "extremes/close_ups.h"
-#include "gpu/primitive_scene.h"
-#include "gpu/quadric_errors.h"
+#include "support/device_numbers.h"
 #include "support/gpu_test.h"
+#include "support/primitive_scene.h"
+#include "support/quadric_errors.h"
 #include "support/test_quadrics.h"
 #include "support/test_rays.h"
 
 namespace calotype::test {
 namespace {
-
-constexpr float kFar = 1e19f;
 
 void expectWithinRounding(const std::vector<gpu::Quadric>& quadrics,
                           const std::vector<gpu::TestRay>& rays) {
@@ -36,6 +35,10 @@ struct Parameter {
     double proportion;
     uint32_t raysPerQuadric;
 };
+
+void PrintTo(const Parameter& parameter, std::ostream* stream) {
+    *stream << parameter.raysPerQuadric << " rays a quadric";
+}
 
 class QuadricProportion : public GpuTest, public testing::WithParamInterface<Parameter> {};
 

@@ -12,7 +12,7 @@
 #include "image/read_image.h"
 #include "support/gpu_test.h"
 #include "support/render_scene.h"
-#include "unit/image_scratch_folder.h"
+#include "support/scratch_folder.h"
 
 namespace calotype::test {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "kernels/refraction.spv.h"
 #include "kernels/scattering.spv.h"
+#include "support/device_numbers.h"
 #include "support/gpu_test.h"
 #include "support/oracle_bsdf.h"
 #include "support/random_numbers.h"
@@ -16,7 +17,6 @@
 namespace calotype::test {
 namespace {
 
-constexpr double kRoundoffOfFloat = 0x1p-23;
 constexpr double kEtas[] = {0.01, 0.25, 1.0 / 1.5,      1.0 - 1e-6, 1.0,  1.0 + 1e-6,
                             1.01, 1.5,  1.0 / (1.0001), 4.0,        100.0};
 

@@ -79,6 +79,7 @@ TEST_P(SlowScaledScene, LetsNoLightIntoWhatIsClosed) { expectDark(GetParam(), 64
 const auto kPlacements = testing::Values(
     Placement{"One", 1.0, {}}, Placement{"Thousandth", 1e-3, {}}, Placement{"Millionth", 1e-6, {}},
     Placement{"Thousand", 1e3, {}}, Placement{"Million", 1e6, {}},
+    Placement{"TenToMinus11", 1e-11, {}}, Placement{"TenTo11", 1e11, {}},
     Placement{"OneFarAway", 1.0, kFarAway}, Placement{"MillionthFarAway", 1e-6, kFarAway},
     Placement{"MillionFarAway", 1e6, kFarAway});
 const auto nameOfPlacement = [](const auto& placement) {

@@ -1,8 +1,8 @@
 #include "extremes/scaled_scene.h"
 
 #include "extremes/closed_meshes.h"
-#include "image/scene_builder.h"
 #include "support/render_scene.h"
+#include "support/scene_builder.h"
 #include "support/test_scenes.h"
 
 namespace calotype::test {

@@ -4,13 +4,13 @@
 #include <iostream>
 #include <set>
 
-#include "gpu/packed_textures.h"
-#include "gpu/primitive_scene.h"
 #include "kernels/coordinates.spv.h"
 #include "render/scene_buffers.h"
 #include "scene/far_texels.h"
 #include "support/gpu_test.h"
 #include "support/oracle_texture.h"
+#include "support/packed_textures.h"
+#include "support/primitive_scene.h"
 
 namespace calotype::test {
 namespace {

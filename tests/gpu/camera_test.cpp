@@ -5,19 +5,19 @@
 
 #include <glm/geometric.hpp>
 
-#include "gpu/kernels/test_structs.h"
 #include "kernels/camera_ray.spv.h"
 #include "pack/pack_camera.h"
 #include "shared/bindings.h"
 #include "support/chi_square.h"
+#include "support/device_numbers.h"
 #include "support/gpu_test.h"
+#include "support/kernels/test_structs.h"
 #include "support/random_numbers.h"
 #include "support/test_quadrics.h"
 
 namespace calotype::test {
 namespace {
 
-constexpr double kRoundoffOfFloat = 0x1p-23;
 const glm::uvec2 kImageSize(640, 480);
 constexpr double kAspectRatio = 640.0 / 480.0;
 const glm::dvec3 kOrigin(100.0, -20.0, 3.0); ///< of the packed scene, in the world

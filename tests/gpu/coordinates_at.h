@@ -4,15 +4,14 @@
 
 #include <glm/geometric.hpp>
 
-#include "gpu/primitive_scene.h"
 #include "kernels/coordinates.spv.h"
 #include "render/scene_buffers.h"
+#include "support/device_numbers.h"
 #include "support/gpu_test.h"
+#include "support/primitive_scene.h"
 
 /// Texture coordinates at hits, and the directions in which they grow, as the kernels find them.
 namespace calotype::test {
-
-constexpr double kRoundoffOfFloat = 0x1p-23;
 
 inline std::vector<gpu::TestCoordinates> coordinatesAt(const PrimitiveScene& scene,
                                                        const std::vector<gpu::TestRay>& rays) {

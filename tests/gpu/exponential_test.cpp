@@ -5,13 +5,13 @@
 #include <glm/vec2.hpp>
 
 #include "kernels/exponential.spv.h"
+#include "support/device_numbers.h"
 #include "support/gpu_test.h"
 #include "support/random_numbers.h"
 
 namespace calotype::test {
 namespace {
 
-constexpr double kRoundoffOfFloat = 0x1p-23;
 /// Of the series, and of its quotient, products and sums.
 constexpr double kSeriesError = 2e-7 + 4.0 * kRoundoffOfFloat;
 

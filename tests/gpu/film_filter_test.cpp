@@ -2,7 +2,6 @@
 #include <cmath>
 #include <string>
 
-#include "gpu/primitive_scene.h"
 #include "kernels/film_sample.spv.h"
 #include "pack/filter_table.h"
 #include "pack/pack_camera.h"
@@ -10,6 +9,7 @@
 #include "support/chi_square.h"
 #include "support/gpu_test.h"
 #include "support/oracle_filter.h"
+#include "support/primitive_scene.h"
 #include "support/random_numbers.h"
 #include "support/statistics.h"
 

@@ -1,12 +1,12 @@
 #include <array>
 #include <cstring>
 
-#include "gpu/kernels/test_structs.h"
 #include "kernels/layout_echo.spv.h"
 #include "render/scene_buffers.h"
 #include "shared/bindings.h"
 #include "shared/render_structs.h"
 #include "support/gpu_test.h"
+#include "support/kernels/test_structs.h"
 
 // What the host writes is what the kernels read, field by field and bit for bit.
 

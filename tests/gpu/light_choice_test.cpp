@@ -1,8 +1,8 @@
-#include "gpu/kernels/test_structs.h"
 #include "kernels/light_sample.spv.h"
 #include "render/scene_buffers.h"
 #include "support/chi_square.h"
 #include "support/gpu_test.h"
+#include "support/kernels/test_structs.h"
 #include "support/random_numbers.h"
 #include "support/test_scenes.h"
 

@@ -2,11 +2,11 @@
 
 #include <glm/geometric.hpp>
 
-#include "gpu/kernels/test_structs.h"
 #include "kernels/light_sample.spv.h"
 #include "math/rotation.h"
 #include "render/scene_buffers.h"
 #include "support/gpu_test.h"
+#include "support/kernels/test_structs.h"
 #include "support/oracle_quadric.h"
 #include "support/oracle_triangle.h"
 #include "support/random_numbers.h"

@@ -3,9 +3,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "gpu/kernels/test_structs.h"
 #include "kernels/shading_normal.spv.h"
 #include "support/gpu_test.h"
+#include "support/kernels/test_structs.h"
 #include "support/random_numbers.h"
 
 namespace calotype::test {

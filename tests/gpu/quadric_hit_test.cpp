@@ -1,7 +1,7 @@
 // Rays of every kind against quadrics of every kind, by backward error (gpu/quadric_errors.h).
-#include "gpu/primitive_scene.h"
-#include "gpu/quadric_errors.h"
 #include "support/gpu_test.h"
+#include "support/primitive_scene.h"
+#include "support/quadric_errors.h"
 #include "support/test_quadrics.h"
 #include "support/test_rays.h"
 

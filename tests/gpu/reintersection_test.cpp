@@ -1,6 +1,7 @@
-#include "gpu/primitive_scene.h"
+#include "support/device_numbers.h"
 #include "support/gpu_test.h"
 #include "support/oracle_quadric.h"
+#include "support/primitive_scene.h"
 #include "support/test_quadrics.h"
 #include "support/test_rays.h"
 
@@ -12,7 +13,6 @@
 namespace calotype::test {
 namespace {
 
-constexpr float kFar = 1e19f;
 constexpr double kAllowedRoundoffs = 16.0; ///< as in quadric_hit_test.cpp
 
 struct Departure {

@@ -1,8 +1,8 @@
 #include <algorithm>
 
-#include "gpu/primitive_scene.h"
 #include "support/gpu_test.h"
 #include "support/oracle_quadric.h"
+#include "support/primitive_scene.h"
 #include "support/random_numbers.h"
 #include "support/test_scenes.h"
 

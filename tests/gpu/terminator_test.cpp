@@ -3,17 +3,16 @@
 
 #include <glm/geometric.hpp>
 
-#include "gpu/kernels/test_structs.h"
 #include "kernels/terminator.spv.h"
+#include "support/device_numbers.h"
 #include "support/gpu_test.h"
+#include "support/kernels/test_structs.h"
 #include "support/random_numbers.h"
 #include "support/test_quadrics.h"
 #include "support/test_scenes.h"
 
 namespace calotype::test {
 namespace {
-
-constexpr double kRoundoffOfFloat = 0x1p-23;
 
 /// A triangle's corners and their normals, in double.
 struct SmoothTriangle {

@@ -6,9 +6,9 @@
 #include <array>
 #include <cmath>
 
-#include "gpu/packed_textures.h"
 #include "support/gpu_test.h"
 #include "support/oracle_texture.h"
+#include "support/packed_textures.h"
 
 namespace calotype::test {
 namespace {

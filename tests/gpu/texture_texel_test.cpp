@@ -2,8 +2,8 @@
 // beyond the image.
 #include <memory>
 
-#include "gpu/packed_textures.h"
 #include "support/gpu_test.h"
+#include "support/packed_textures.h"
 
 namespace calotype::test {
 namespace {

@@ -1,9 +1,10 @@
 #include <glm/geometric.hpp>
 
-#include "gpu/primitive_scene.h"
+#include "support/device_numbers.h"
 #include "support/gpu_test.h"
 #include "support/oracle_quadric.h"
 #include "support/oracle_triangle.h"
+#include "support/primitive_scene.h"
 #include "support/test_quadrics.h"
 #include "support/test_scenes.h"
 
@@ -16,7 +17,6 @@ namespace calotype::test {
 namespace {
 
 constexpr Real kAllowedRoundoffs = 16.0L;
-constexpr float kFar = 1e19f;
 
 glm::dmat3 someRotation(RandomNumbers& random) {
     return random.coin() ? glm::dmat3(1.0) : randomRotation(random);

@@ -1,6 +1,7 @@
-#include "gpu/primitive_scene.h"
+#include "support/device_numbers.h"
 #include "support/gpu_test.h"
 #include "support/oracle_triangle.h"
+#include "support/primitive_scene.h"
 #include "support/test_quadrics.h"
 
 // Single triangles against the oracle. The corners as seen along the ray carry about 6 roundings
@@ -11,7 +12,6 @@
 namespace calotype::test {
 namespace {
 
-constexpr float kFar = 1e19f;
 constexpr Real kAllowedRoundoffs = 16.0L;
 
 struct TriangleCase {

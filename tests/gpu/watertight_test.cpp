@@ -1,5 +1,5 @@
-#include "gpu/primitive_scene.h"
 #include "support/gpu_test.h"
+#include "support/primitive_scene.h"
 #include "support/random_numbers.h"
 #include "support/test_scenes.h"
 

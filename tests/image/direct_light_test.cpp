@@ -4,9 +4,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "image/scene_builder.h"
 #include "support/gpu_test.h"
 #include "support/render_scene.h"
+#include "support/scene_builder.h"
 #include "support/statistics.h"
 
 namespace calotype::test {

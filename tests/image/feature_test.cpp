@@ -5,9 +5,9 @@
 #include <memory>
 #include <set>
 
-#include "image/scene_builder.h"
 #include "support/gpu_test.h"
 #include "support/render_scene.h"
+#include "support/scene_builder.h"
 
 namespace calotype::test {
 namespace {

@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 
 #include "image/byte_image.h"
-#include "image/first_hits.h"
-#include "image/scene_builder.h"
+#include "support/first_hits.h"
+#include "support/scene_builder.h"
 
 namespace calotype::test {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <glm/geometric.hpp>
 
-#include "image/first_hits.h"
-#include "image/scene_builder.h"
+#include "support/first_hits.h"
 #include "support/oracle_coordinates.h"
 #include "support/oracle_quadric.h"
+#include "support/scene_builder.h"
 #include "support/test_quadrics.h"
 
 namespace calotype::test {

@@ -4,9 +4,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "image/first_hits.h"
-#include "image/scene_builder.h"
+#include "support/first_hits.h"
 #include "support/render_scene.h"
+#include "support/scene_builder.h"
 
 namespace calotype {
 

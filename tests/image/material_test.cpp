@@ -7,10 +7,10 @@
 
 #include "image/coarse_ball.h"
 #include "image/metrics.h"
-#include "image/scene_builder.h"
 #include "support/gpu_test.h"
 #include "support/oracle_bsdf.h"
 #include "support/render_scene.h"
+#include "support/scene_builder.h"
 #include "support/statistics.h"
 #include "support/test_materials.h"
 

@@ -5,9 +5,9 @@
 #include <glm/geometric.hpp>
 
 #include "image/coarse_ball.h"
-#include "image/scene_builder.h"
 #include "support/gpu_test.h"
 #include "support/render_scene.h"
+#include "support/scene_builder.h"
 
 namespace calotype::test {
 namespace {

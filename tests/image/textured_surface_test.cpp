@@ -7,9 +7,9 @@
 
 #include "image/byte_image.h"
 #include "image/metrics.h"
-#include "image/scene_builder.h"
 #include "support/gpu_test.h"
 #include "support/render_scene.h"
+#include "support/scene_builder.h"
 
 namespace calotype::test {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <glm/vec3.hpp>
 
-#include "gpu/kernels/test_structs.h"
 #include "scene/scene.h"
+#include "support/kernels/test_structs.h"
 
 namespace calotype::test {
 

@@ -9,7 +9,7 @@
 #include "film/write_image.h"
 #include "image/pfm.h"
 #include "image/srgb.h"
-#include "unit/image_scratch_folder.h"
+#include "support/scratch_folder.h"
 
 namespace calotype {
 namespace {

@@ -7,7 +7,7 @@
 #include <sys/resource.h>
 
 #include "base/error.h"
-#include "unit/image_scratch_folder.h"
+#include "support/scratch_folder.h"
 
 namespace calotype {
 namespace {

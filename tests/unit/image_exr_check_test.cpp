@@ -11,7 +11,7 @@
 
 #include "base/error.h"
 #include "image/exr.h"
-#include "unit/image_scratch_folder.h"
+#include "support/scratch_folder.h"
 #include "unit/memory_use.h"
 
 namespace calotype::test {

@@ -12,7 +12,7 @@
 
 #include "base/error.h"
 #include "image/exr.h"
-#include "unit/image_scratch_folder.h"
+#include "support/scratch_folder.h"
 
 namespace calotype {
 namespace {

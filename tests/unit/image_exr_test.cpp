@@ -17,7 +17,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "unit/image_scratch_folder.h"
+#include "support/scratch_folder.h"
 
 namespace calotype {
 namespace {

@@ -13,7 +13,7 @@
 #include "image/image_format.h"
 #include "image/pfm.h"
 #include "image/png.h"
-#include "unit/image_scratch_folder.h"
+#include "support/scratch_folder.h"
 
 namespace calotype {
 namespace {

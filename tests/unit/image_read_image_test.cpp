@@ -9,8 +9,8 @@
 
 #include "image/exr.h"
 #include "image/pfm.h"
-#include "unit/image_files.h"
-#include "unit/image_scratch_folder.h"
+#include "support/image_files.h"
+#include "support/scratch_folder.h"
 
 namespace calotype {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "image/channel_image.h"
 #include "image/read_texel_image.h"
-#include "unit/image_files.h"
+#include "support/image_files.h"
 #include "unit/scene_files.h"
 
 namespace calotype::test {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "unit/image_files.h"
+#include "support/image_files.h"
 #include "unit/scene_files.h"
 
 namespace calotype::test {

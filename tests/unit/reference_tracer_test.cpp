@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "image/scene_builder.h"
 #include "reference/reference_tracer.h"
+#include "support/scene_builder.h"
 #include "support/statistics.h"
 #include "support/test_scenes.h"
 

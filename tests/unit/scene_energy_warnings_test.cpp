@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "unit/image_files.h"
+#include "support/image_files.h"
 #include "unit/scene_files.h"
 
 namespace calotype::test {

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
-#include "image_scratch_folder.h"
 #include "scene/load.h"
+#include "support/scratch_folder.h"
 
 namespace calotype::test {
 

@@ -77,6 +77,35 @@ TEST_F(LimitWarnings, NotOfLampsApartBesideOrAcross) {
     EXPECT_TRUE(warningsOf(panel, text).empty());
 }
 
+TEST_F(LimitWarnings, LampsThatCrossInOnePlane) {
+    // Strips of a cross: neither holds the other's middle or corners.
+    const auto strip = [](double x, double z) {
+        return R"({"type": "quad", "radiance": 1, "vertices": [[)" + std::to_string(1 - x) +
+               ", 2, " + std::to_string(-z) + "], [" + std::to_string(1 + x) + ", 2, " +
+               std::to_string(-z) + "], [" + std::to_string(1 + x) + ", 2, " + std::to_string(z) +
+               "], [" + std::to_string(1 - x) + ", 2, " + std::to_string(z) + "]]}";
+    };
+    nlohmann::json scene = sceneWithLight(strip(9.0, 0.1));
+    scene["lights"].push_back(nlohmann::json::parse(strip(0.1, 9.0)));
+    EXPECT_EQ(warningsOf(scene, "lies in the plane of").size(), 2u);
+    scene["lights"][1] = nlohmann::json::parse(strip(0.1, 0.1));
+    EXPECT_EQ(warningsOf(scene, "lies in the plane of").size(), 2u);
+}
+
+TEST_F(LimitWarnings, LampsInThePlaneOfTheirOwnMesh) {
+    const auto warningsOfModel = [&](double height) {
+        files_.write("room.mtl", "newmtl wall\nnewmtl lamp\nKe 1 1 1\n");
+        files_.write("room.obj", "mtllib room.mtl\nv -2 2 -2\nv 2 2 -2\nv 2 2 2\nv -2 2 2\nv -1 " +
+                                     std::to_string(height) + " -1\nv 1 " + std::to_string(height) +
+                                     " -1\nv 1 " + std::to_string(height) +
+                                     " 1\nusemtl wall\nf 1 2 3 4\nusemtl lamp\nf 5 6 7\n");
+        return warningsOf(sceneWithShape(R"({"type": "mesh", "file": "room.obj"})"),
+                          "lies in the plane of other triangles of its own");
+    };
+    EXPECT_EQ(warningsOfModel(2.0).size(), 1u);
+    EXPECT_TRUE(warningsOfModel(1.9).empty());
+}
+
 TEST_F(LimitWarnings, LightsThatTheFilmLosesBesideTheBrightest) {
     const std::string text = "the film loses it";
     nlohmann::json scene = sceneWithLight(diskAt(2.0));
@@ -130,6 +159,20 @@ TEST_F(LimitWarnings, ViewsFinerThanRaysAre) {
     camera["height"] = 1e-3;
     camera["position"] = {0.25, 2, 0.35}; // within the lamp's bounds
     EXPECT_TRUE(warningsOf(scene, text).empty());
+}
+
+TEST_F(LimitWarnings, ViewsFinerThanRaysAreInTheSizeThatIsRendered) {
+    nlohmann::json scene = sceneWithLight(diskAt(2.0));
+    scene["camera"]["target"] = {1, 1, 0};
+    scene["camera"]["fov"] = 0.028;
+    scene["film"] = {{"width", 100}, {"height", 100}};
+    const auto isWarnedOf = [&](const LoadOptions& options) {
+        return !files_.load(scene, options).warnings.empty();
+    };
+    EXPECT_FALSE(isWarnedOf({}));
+    LoadOptions larger;
+    larger.size = PictureSize{100, 500};
+    EXPECT_TRUE(isWarnedOf(larger));
 }
 
 TEST_F(LimitWarnings, LensesManyTimesWiderThanTheirFocusIsFar) {

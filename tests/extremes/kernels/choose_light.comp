@@ -2,8 +2,8 @@
 // The light that two random numbers choose.
 #extension GL_GOOGLE_include_directive : require
 
-#include "gpu/kernels/test_structs.h"
 #include "lights/light.glsl"
+#include "support/kernels/test_structs.h"
 
 layout(local_size_x = 64) in;
 layout(set = 0, binding = kBindingTestInputs) readonly buffer Inputs { TestLightQuery queries[]; };

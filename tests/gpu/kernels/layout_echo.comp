@@ -3,9 +3,9 @@
 // array of the scene, then what a dispatch is told.
 #extension GL_GOOGLE_include_directive : require
 
-#include "gpu/kernels/test_structs.h"
 #include "scene/buffers.glsl"
 #include "shared/render_structs.h"
+#include "support/kernels/test_structs.h"
 
 layout(local_size_x = 1) in;
 layout(push_constant) uniform Parameters {

@@ -2,8 +2,8 @@
 // Where light leaves a smooth triangle.
 #extension GL_GOOGLE_include_directive : require
 
-#include "gpu/kernels/test_structs.h"
 #include "shapes/terminator.glsl"
+#include "support/kernels/test_structs.h"
 
 layout(local_size_x = 64) in;
 layout(set = 0, binding = 0) readonly buffer Inputs { TestSmoothPoint points[]; };

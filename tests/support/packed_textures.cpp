@@ -1,10 +1,10 @@
-#include "gpu/packed_textures.h"
+#include "support/packed_textures.h"
 
-#include "gpu/primitive_scene.h"
 #include "kernels/texture_read.spv.h"
 #include "pack/pack_textures.h"
 #include "render/scene_buffers.h"
 #include "support/gpu_test.h"
+#include "support/primitive_scene.h"
 
 namespace calotype::test {
 

@@ -4,15 +4,15 @@
 #include <memory>
 #include <vector>
 
-#include "gpu/kernels/test_structs.h"
 #include "pack/gpu_scene.h"
 #include "scene/texture.h"
+#include "support/device_numbers.h"
+#include "support/kernels/test_structs.h"
 #include "support/random_numbers.h"
 
 /// Textures for tests, and how the kernels read them, packed as the program packs them.
 namespace calotype::test {
 
-constexpr double kRoundoffOfFloat = 0x1p-23;
 /// Of linearFromSrgb, as it states, and of the arithmetic around it.
 constexpr double kDecodingError = 1.5e-6;
 

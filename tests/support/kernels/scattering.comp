@@ -3,7 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 
 #include "bsdf/bsdf.glsl"
-#include "gpu/kernels/test_structs.h"
+#include "support/kernels/test_structs.h"
 
 layout(local_size_x = 64) in;
 layout(set = 0, binding = 0) readonly buffer Inputs { TestScattering events[]; };

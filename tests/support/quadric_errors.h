@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "gpu/kernels/test_structs.h"
+#include "support/kernels/test_structs.h"
 
 /// The shaders' hits of quadrics against the oracle, by backward error: an answer is right if it is
 /// the exact answer for a surface of which every face was moved by at most a tolerance of

@@ -2,8 +2,8 @@
 // Points on lights, their densities, and the choice of a light.
 #extension GL_GOOGLE_include_directive : require
 
-#include "gpu/kernels/test_structs.h"
 #include "lights/light.glsl"
+#include "support/kernels/test_structs.h"
 
 layout(local_size_x = 64) in;
 layout(set = 0, binding = kBindingTestInputs) readonly buffer Inputs { TestLightQuery queries[]; };

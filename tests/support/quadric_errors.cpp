@@ -1,15 +1,14 @@
-#include "gpu/quadric_errors.h"
+#include "support/quadric_errors.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "gpu/primitive_scene.h"
+#include "support/device_numbers.h"
 #include "support/oracle_quadric.h"
+#include "support/primitive_scene.h"
 
 namespace calotype::test {
 namespace {
-
-constexpr float kFar = 1e19f;
 
 /// The smallest power of two of roundoffs for which the answer is allowed; 2^30 if none is.
 double neededRoundoffs(const gpu::Quadric& quadric, const gpu::TestRay& ray, float t) {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "gpu/kernels/test_structs.h"
 #include "pack/gpu_scene.h"
+#include "support/kernels/test_structs.h"
 #include "support/oracle_line.h"
 
 namespace calotype::test {

@@ -3,8 +3,8 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
 
-#include "gpu/kernels/test_structs.h"
 #include "scene/traversal.glsl"
+#include "support/kernels/test_structs.h"
 
 layout(local_size_x = 64) in;
 layout(set = 0, binding = kBindingTestInputs) readonly buffer Inputs { TestRay rays[]; };

@@ -2,8 +2,8 @@
 // Positions in and around a pixel.
 #extension GL_GOOGLE_include_directive : require
 
-#include "gpu/kernels/test_structs.h"
 #include "scene/film_filter.glsl"
+#include "support/kernels/test_structs.h"
 
 layout(local_size_x = 64) in;
 layout(set = 0, binding = kBindingTestInputs) readonly buffer Inputs { vec4 points[]; };

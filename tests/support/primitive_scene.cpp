@@ -1,4 +1,4 @@
-#include "gpu/primitive_scene.h"
+#include "support/primitive_scene.h"
 
 #include <sstream>
 
