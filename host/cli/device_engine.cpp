@@ -7,31 +7,31 @@
 namespace calotype {
 namespace {
 
-GpuScene build(const Scene& scene, const EngineWish& wish) {
+GpuScene build(const Scene& scene, const EngineRequest& request) {
     const glm::dvec3 origin = packingOrigin(scene);
     const std::vector<Primitive> primitives = collectPrimitives(scene, origin);
     const Bvh bvh = buildMedianSplit(
-        primitives, [&](double done) { wish.onProgress("building the BVH", done); });
+        primitives, [&](double done) { request.onProgress("building the BVH", done); });
     return packScene(scene, primitives, bvh, origin,
-                     static_cast<double>(wish.settings.width) / wish.settings.height,
-                     wish.wantsFirstHits ? PackedUvs::All : PackedUvs::OfTextured);
+                     static_cast<double>(request.settings.width) / request.settings.height,
+                     request.wantsFirstHits ? PackedUvs::All : PackedUvs::OfTextured);
 }
 
 /// Throws GpuError where the device has not enough.
-uint64_t requiredBytes(const Device& device, const GpuScene& packed, const EngineWish& wish) {
-    const uint64_t bytes = packed.bytes() + pathTracerBytes(wish.settings) +
-                           (wish.wantsFirstHits ? firstHitPassBytes(wish.settings) : 0);
+uint64_t requiredBytes(const Device& device, const GpuScene& packed, const EngineRequest& request) {
+    const uint64_t bytes = packed.bytes() + pathTracerBytes(request.settings) +
+                           (request.wantsFirstHits ? firstHitPassBytes(request.settings) : 0);
     requireMemory(device, bytes);
     return bytes;
 }
 
 } // namespace
 
-DeviceEngine::DeviceEngine(const DeviceOptions& options, const Scene& scene, const EngineWish& wish,
-                           StageSeconds& seconds)
-    : settings_(wish.settings), session_(options),
-      packed_(timed(seconds.build, [&] { return build(scene, wish); })),
-      deviceBytes_(requiredBytes(session_.device(), packed_, wish)),
+DeviceEngine::DeviceEngine(const DeviceOptions& options, const Scene& scene,
+                           const EngineRequest& request, StageSeconds& seconds)
+    : settings_(request.settings), session_(options),
+      packed_(timed(seconds.build, [&] { return build(scene, request); })),
+      deviceBytes_(requiredBytes(session_.device(), packed_, request)),
       buffers_(timed(seconds.upload, [&] { return SceneBuffers(session_.device(), packed_); })),
       tracer_(timed(seconds.compile, [&] {
           return PathTracer(session_.device(), packed_, buffers_, packed_.features, settings_);

@@ -11,7 +11,7 @@ namespace calotype {
 /// Renders on a Vulkan device.
 class DeviceEngine : public RenderEngine {
 public:
-    DeviceEngine(const DeviceOptions& options, const Scene& scene, const EngineWish& wish,
+    DeviceEngine(const DeviceOptions& options, const Scene& scene, const EngineRequest& request,
                  StageSeconds& seconds);
 
     BlockTracer& tracer() override { return tracer_; }

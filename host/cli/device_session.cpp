@@ -4,14 +4,20 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/lowercase.h"
 
 namespace calotype {
 
-bool isReference(const DeviceOptions& options) { return options.device == "reference"; }
+bool isReference(const DeviceOptions& options) {
+    const char* variable = std::getenv("CALOTYPE_DEVICE");
+    const std::string name = options.device.empty() && variable ? variable : options.device;
+    return lowercase(name) == "reference";
+}
 
 Instance makeInstance(const DeviceOptions& options) {
     if (isReference(options))
-        throw UsageError("--device reference is no device; only render knows it");
+        throw UsageError(
+            "the reference is no device: only render knows it; name another by --device");
     if (options.threads > 0)
         setenv("LP_NUM_THREADS", std::to_string(options.threads).c_str(), 1);
     return Instance();

@@ -8,12 +8,11 @@
 #include <vector>
 
 #include "base/error.h"
+#include "image/image.h"
 #include "scene/names.h"
 
 namespace calotype {
 namespace {
-
-constexpr uint32_t kMaxSide = 65535;
 
 template <typename T>
 std::optional<T> parseNumber(std::string_view text) {
@@ -60,9 +59,11 @@ FirstHitLayer parseLayer(std::string_view name) {
 
 PictureSize parseSize(const std::string& text) {
     const auto sides = parseList(text, 'x', 2);
-    if (!sides || (*sides)[0] < 1 || (*sides)[1] < 1 || (*sides)[0] > kMaxSide ||
-        (*sides)[1] > kMaxSide)
-        fail("--size", text, "WIDTHxHEIGHT in pixels from 1 to 65535, such as 640x480");
+    if (!sides || (*sides)[0] < 1 || (*sides)[1] < 1 || (*sides)[0] > kLargestPictureSide ||
+        (*sides)[1] > kLargestPictureSide)
+        fail("--size", text,
+             "WIDTHxHEIGHT in pixels from 1 to " + std::to_string(kLargestPictureSide) +
+                 ", such as 640x480");
     return {(*sides)[0], (*sides)[1]};
 }
 

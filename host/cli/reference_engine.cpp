@@ -17,8 +17,8 @@ uint32_t threadsFor(const DeviceOptions& options) {
 } // namespace
 
 ReferenceEngine::ReferenceEngine(const DeviceOptions& options, const Scene& scene,
-                                 const EngineWish& wish, StageSeconds& seconds)
-    : settings_(wish.settings), threads_(threadsFor(options)),
+                                 const EngineRequest& request, StageSeconds& seconds)
+    : settings_(request.settings), threads_(threadsFor(options)),
       tracer_(timed(seconds.build,
                     [&] {
                         return reference::ReferenceTracer(

@@ -10,7 +10,7 @@ namespace calotype {
 class ReferenceEngine : public RenderEngine {
 public:
     /// `scene` must outlive this.
-    ReferenceEngine(const DeviceOptions& options, const Scene& scene, const EngineWish& wish,
+    ReferenceEngine(const DeviceOptions& options, const Scene& scene, const EngineRequest& request,
                     StageSeconds& seconds);
 
     BlockTracer& tracer() override { return block_; }

@@ -6,10 +6,10 @@
 namespace calotype {
 
 std::unique_ptr<RenderEngine> makeEngine(const DeviceOptions& options, const Scene& scene,
-                                         const EngineWish& wish, StageSeconds& seconds) {
+                                         const EngineRequest& request, StageSeconds& seconds) {
     if (isReference(options))
-        return std::make_unique<ReferenceEngine>(options, scene, wish, seconds);
-    return std::make_unique<DeviceEngine>(options, scene, wish, seconds);
+        return std::make_unique<ReferenceEngine>(options, scene, request, seconds);
+    return std::make_unique<DeviceEngine>(options, scene, request, seconds);
 }
 
 } // namespace calotype

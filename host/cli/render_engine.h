@@ -38,7 +38,7 @@ public:
     virtual void finish() const {}
 };
 
-struct EngineWish {
+struct EngineRequest {
     RenderSettings settings;
     bool wantsFirstHits = false;
     /// Hears what is being done, and the share of it done; may throw to end it.
@@ -48,6 +48,6 @@ struct EngineWish {
 /// The engine that the options ask for, ready to render. `scene` must outlive it; `seconds` takes
 /// the times of building, uploading and compiling.
 std::unique_ptr<RenderEngine> makeEngine(const DeviceOptions& options, const Scene& scene,
-                                         const EngineWish& wish, StageSeconds& seconds);
+                                         const EngineRequest& request, StageSeconds& seconds);
 
 } // namespace calotype

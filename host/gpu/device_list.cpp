@@ -1,10 +1,11 @@
 #include "gpu/device_list.h"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cstdlib>
 #include <optional>
+
+#include "base/lowercase.h"
 
 namespace calotype {
 namespace {
@@ -58,13 +59,6 @@ std::string missingRequirement(const vk::raii::PhysicalDevice& device,
     return {};
 }
 
-std::string lowerCase(std::string_view text) {
-    std::string lower(text);
-    std::transform(lower.begin(), lower.end(), lower.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return lower;
-}
-
 std::string quoteNames(const std::vector<DeviceInfo>& devices) {
     std::string names;
     for (const DeviceInfo& device : devices)
@@ -78,7 +72,7 @@ bool fits(const DeviceInfo& device, std::string_view wish) {
     const auto [end, error] = std::from_chars(wish.data(), wish.data() + wish.size(), index);
     if (error == std::errc() && end == wish.data() + wish.size())
         return device.index == index;
-    return lowerCase(device.name).find(lowerCase(wish)) != std::string::npos;
+    return lowercase(device.name).find(lowercase(wish)) != std::string::npos;
 }
 
 DeviceChoice chooseByWish(const std::vector<DeviceInfo>& devices, std::string_view wish,

@@ -8,17 +8,12 @@
 
 #include "base/check.h"
 #include "base/error.h"
-#include "image/metrics.h"
 
 namespace calotype {
 namespace {
 
 bool hasNan(const glm::vec3& pixel) {
     return std::isnan(pixel.x) || std::isnan(pixel.y) || std::isnan(pixel.z);
-}
-
-std::string sizeOf(const Image& image) {
-    return std::to_string(image.width) + " x " + std::to_string(image.height);
 }
 
 void requireNoNan(const Image& image, const std::string& name) {
@@ -51,6 +46,11 @@ void add(Sums& sums, const glm::dvec3& a, const glm::dvec3& b) {
 
 } // namespace
 
+double relativeSquaredError(double a, double b) {
+    constexpr double kFloor = 0.01;
+    return (a - b) * (a - b) / (b * b + kFloor);
+}
+
 bool isFinite(const glm::vec3& pixel) {
     return std::isfinite(pixel.x) && std::isfinite(pixel.y) && std::isfinite(pixel.z);
 }
@@ -64,8 +64,8 @@ double ImageDifference::psnr() const {
 void requireComparable(const Image& a, const std::string& nameA, const Image& b,
                        const std::string& nameB) {
     if (a.width != b.width || a.height != b.height)
-        throw SceneError(nameA, "the picture has " + sizeOf(a) + " pixels and '" + nameB +
-                                    "' has " + sizeOf(b) +
+        throw SceneError(nameA, "the picture has " + sizeText(a) + " pixels and '" + nameB +
+                                    "' has " + sizeText(b) +
                                     "; only pictures of one size can be compared");
     requireNoNan(a, nameA);
     requireNoNan(b, nameB);

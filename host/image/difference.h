@@ -25,7 +25,7 @@ struct ImageDifference {
 
     glm::dvec3 meanError{0.0}; ///< mean of A - B by channel
     double rmse = 0.0;         ///< root of the mean of (A - B)^2 over pixels and channels
-    double relativeMse = 0.0;  ///< as relativeMse of image/metrics.h
+    double relativeMse = 0.0;  ///< mean of relativeSquaredError, likewise
     double peak = 0.0;         ///< the largest value of B; 0 where none is positive
     LargestDifference largest;
 
@@ -43,6 +43,10 @@ void requireComparable(const Image& a, const std::string& nameA, const Image& b,
 
 /// Both as requireComparable wants them.
 ImageDifference measureDifference(const Image& a, const Image& b);
+
+/// (a - b)^2 / (b^2 + 0.01): the squared error of a channel relative to the reference, with a floor
+/// that keeps dark pixels from dominating.
+double relativeSquaredError(double a, double b);
 
 /// Whether no channel is infinite or NaN.
 bool isFinite(const glm::vec3& pixel);

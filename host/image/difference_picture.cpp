@@ -5,7 +5,6 @@
 #include "base/check.h"
 #include "image/difference.h"
 #include "image/false_color.h"
-#include "image/metrics.h"
 
 namespace calotype {
 namespace {

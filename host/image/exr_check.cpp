@@ -9,12 +9,11 @@
 
 #include "base/error.h"
 #include "image/check_size.h"
+#include "image/image.h"
 
 namespace calotype {
 namespace {
 
-/// As a scene's film.
-constexpr uint32_t kLargestSide = 65535;
 /// Twenty channels of float in blocks of 32 rows of the longest side, or in tiles of 1024 x 1024.
 constexpr uint64_t kLargestChunk = uint64_t{256} << 20;
 /// In the table of chunks.
@@ -27,8 +26,8 @@ public:
         exr_context_initializer_t options = EXR_DEFAULT_CONTEXT_INITIALIZER;
         options.error_handler_fn = [](exr_const_context_t, exr_result_t, const char*) {};
         options.flags = EXR_CONTEXT_FLAG_STRICT_HEADER;
-        options.max_tile_width = kLargestSide;
-        options.max_tile_height = kLargestSide;
+        options.max_tile_width = kLargestPictureSide;
+        options.max_tile_height = kLargestPictureSide;
         exr_context_t context = nullptr;
         const exr_result_t result = exr_start_read(&context, path.c_str(), &options);
         context_.reset(context);
@@ -111,7 +110,7 @@ bool isExr(std::string_view file) { return file.starts_with("\x76\x2f\x31\x01");
 
 ImageSize checkExr(const std::filesystem::path& path) {
     const ExrHeader header(path);
-    checkSize(header.size(), kLargestSide, path.string());
+    checkSize(header.size(), kLargestPictureSide, path.string());
     if (header.isDeep())
         header.fail("its pixels are deep; flatten it first");
     if (header.chunkSize() > kLargestChunk)

@@ -1,6 +1,5 @@
 #include "image/read_image.h"
 
-#include <cmath>
 #include <fstream>
 #include <string>
 #include <string_view>
@@ -13,13 +12,13 @@
 #include "image/image_check.h"
 #include "image/pfm.h"
 #include "image/read_texel_image.h"
+#include "image/srgb.h"
 #include "image/texel_channel.h"
 
 namespace calotype {
 namespace {
 
-/// In pixels: what `render --size` takes, and 16384 x 16384, which is 3 GiB as floats.
-constexpr uint32_t kLargestSide = 65535;
+/// 16384 x 16384, which is 3 GiB as floats.
 constexpr uint64_t kMostPixels = uint64_t{1} << 28;
 /// In bytes: a PFM, the format that packs least, with so many pixels and a page for its header.
 constexpr uintmax_t kLargestFile = kMostPixels * sizeof(glm::vec3) + 4096;
@@ -63,17 +62,13 @@ void checkArea(const ImageSize& size, const std::string& where) {
                                     " that can be compared; compare a part of it");
 }
 
-/// The inverse of srgbFromLinear: the piecewise curve of IEC 61966-2-1.
-float linearFromSrgb(float encoded) {
-    return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
-}
-
 Image linearImage(const TexelImage& texels) {
     Image image(texels.width, texels.height);
     for (size_t i = 0; i < texels.texelCount(); ++i)
         for (int channel = 0; channel < 3; ++channel) {
             const float value = texelComponent(texels, i, channel);
-            image.pixels[i][channel] = texels.isEncoded ? linearFromSrgb(value) : value;
+            image.pixels[i][channel] =
+                texels.isEncoded ? static_cast<float>(linearFromSrgb(value)) : value;
         }
     return image;
 }
@@ -95,7 +90,7 @@ Image readImage(const std::filesystem::path& path) {
     const size_t fileSize = sizeOfFile(path);
     if (isPfm(signature)) {
         Image image = readPfm(path);
-        checkSize({image.width, image.height}, kLargestSide, where);
+        checkSize({image.width, image.height}, kLargestPictureSide, where);
         return image;
     }
     if (!isPng(signature) && !isHdr(signature))
@@ -105,7 +100,7 @@ Image readImage(const std::filesystem::path& path) {
     const std::string bytes = readBytes(file, fileSize);
     if (isPng(bytes))
         checkArea(checkPng(bytes, where), where);
-    const TexelImage texels = readTexelImage(bytes, kLargestSide, where);
+    const TexelImage texels = readTexelImage(bytes, kLargestPictureSide, where);
     checkArea({texels.width, texels.height}, where);
     return linearImage(texels);
 }

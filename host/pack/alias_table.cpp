@@ -15,14 +15,14 @@ uint64_t numbersBefore(uint64_t column, uint64_t count) {
     return (column * kNumbers + count - 1) / count;
 }
 
-void setChances(std::vector<AliasColumn>& columns) {
-    constexpr double kChancePerNumber = 1.0 / kNumbers;
+void setProbabilities(std::vector<AliasColumn>& columns) {
+    constexpr double kProbabilityPerNumber = 1.0 / kNumbers;
     for (uint64_t i = 0; i < columns.size(); ++i) {
         const uint64_t numbers =
             numbersBefore(i + 1, columns.size()) - numbersBefore(i, columns.size());
-        const double chance = static_cast<double>(numbers) * kChancePerNumber;
-        columns[i].chance += chance * columns[i].threshold;
-        columns[columns[i].alias].chance += chance * (1.0 - columns[i].threshold);
+        const double probability = static_cast<double>(numbers) * kProbabilityPerNumber;
+        columns[i].probability += probability * columns[i].threshold;
+        columns[columns[i].alias].probability += probability * (1.0 - columns[i].threshold);
     }
 }
 
@@ -59,7 +59,8 @@ std::vector<AliasColumn> buildAliasTable(std::span<const double> weights) {
             underfull.push_back(donor);
         }
     }
-    setChances(columns); // of those left over, each is full but for rounding, or none has weight
+    setProbabilities(
+        columns); // of those left over, each is full but for rounding, or none has weight
     return columns;
 }
 

@@ -8,8 +8,8 @@ namespace calotype {
 
 /// One column: keep its own index when a uniform number falls below `threshold`, else take `alias`.
 struct AliasColumn {
-    double chance = 0.0;    ///< with which the index is chosen
-    double threshold = 1.0; ///< a multiple of 2^-24
+    double probability = 0.0; ///< with which the index is chosen
+    double threshold = 1.0;   ///< a multiple of 2^-24
     uint32_t alias = 0;
 };
 

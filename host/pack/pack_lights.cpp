@@ -69,7 +69,7 @@ std::vector<gpu::Light> LightPacker::take() {
     std::vector<gpu::Light> packed;
     for (size_t i = 0; i < lights_.size(); ++i) {
         gpu::Light light = lights_[i].light;
-        light.selectionChance = static_cast<float>(columns[i].chance);
+        light.selectionProbability = static_cast<float>(columns[i].probability);
         light.aliasThreshold = static_cast<float>(columns[i].threshold);
         light.alias = columns[i].alias;
         packed.push_back(light);

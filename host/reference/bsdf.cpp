@@ -23,7 +23,7 @@ double scalarAt(double factor, uint32_t texture, const std::vector<Texture>& tex
 }
 
 /// Lobes are chosen by what they reflect: kd / (kd + ks), and the like.
-double chanceOfDiffuse(const glm::dvec3& diffuse, const glm::dvec3& specular) {
+double probabilityOfDiffuse(const glm::dvec3& diffuse, const glm::dvec3& specular) {
     const double d = greatest(diffuse);
     const double s = greatest(specular);
     return d + s > 0.0 ? d / (d + s) : 1.0;
@@ -75,7 +75,7 @@ Bsdf::Bsdf(const Material& material, const std::vector<Texture>& textures, const
     case MaterialType::Metal:
         hasGgx_ = true;
         ggx_ = {color, scalar(material.roughness, material.roughnessTexture), material.masking};
-        diffuseChance_ = chanceOfDiffuse(glm::dvec3(0.0), fresnelSchlick(ggx_.f0, wo_.z));
+        diffuseProbability_ = probabilityOfDiffuse(glm::dvec3(0.0), fresnelSchlick(ggx_.f0, wo_.z));
         break;
     case MaterialType::Nonmetal: {
         hasGgx_ = true;
@@ -83,14 +83,14 @@ Bsdf::Bsdf(const Material& material, const std::vector<Texture>& textures, const
         ggx_ = {glm::dvec3(f0), scalar(material.roughness, material.roughnessTexture),
                 material.masking};
         diffuse_ = (1.0 - f0) * color;
-        diffuseChance_ = chanceOfDiffuse(diffuse_, fresnelSchlick(ggx_.f0, wo_.z));
+        diffuseProbability_ = probabilityOfDiffuse(diffuse_, fresnelSchlick(ggx_.f0, wo_.z));
         break;
     }
     case MaterialType::BlinnPhong:
         hasBlinnPhong_ = true;
         blinnPhong_ = {material.ks, material.exponent, material.normalize};
         diffuse_ = material.kd * color;
-        diffuseChance_ = chanceOfDiffuse(diffuse_, glm::dvec3(material.ks));
+        diffuseProbability_ = probabilityOfDiffuse(diffuse_, glm::dvec3(material.ks));
         break;
     case MaterialType::Dielectric:
         isDielectric_ = true;
@@ -101,21 +101,23 @@ Bsdf::Bsdf(const Material& material, const std::vector<Texture>& textures, const
     }
 }
 
-bool Bsdf::isSpecular() const { return isDielectric_ || (isMirror() && diffuseChance_ == 0.0); }
+bool Bsdf::isSpecular() const {
+    return isDielectric_ || (isMirror() && diffuseProbability_ == 0.0);
+}
 
 Bsdf::Value Bsdf::evaluate(const glm::dvec3& wiWorld) const {
     const glm::dvec3 wi = wiWorld * worldFromShading_;
     if (isDielectric_ || wo_.z <= 0.0 || wi.z <= 0.0 || glm::dot(wiWorld, horizon_) <= 0.0)
         return {};
     glm::dvec3 f = diffuse_ / kPi;
-    double pdf = diffuseChance_ * wi.z / kPi;
+    double pdf = diffuseProbability_ * wi.z / kPi;
     if (hasGgx_ && !isMirror()) {
         f += ggx_.f(wo_, wi);
-        pdf += (1.0 - diffuseChance_) * ggx_.pdf(wo_, wi);
+        pdf += (1.0 - diffuseProbability_) * ggx_.pdf(wo_, wi);
     }
     if (hasBlinnPhong_) {
         f += blinnPhong_.f(wo_, wi);
-        pdf += (1.0 - diffuseChance_) * blinnPhong_.pdf(wo_, wi);
+        pdf += (1.0 - diffuseProbability_) * blinnPhong_.pdf(wo_, wi);
     }
     return {f * wi.z, pdf};
 }
@@ -136,11 +138,11 @@ Bsdf::Sample Bsdf::sample(const glm::dvec3& u) const {
         return sampleDielectric(u.z);
     const glm::dvec2 uLobe(u.x, u.y);
     glm::dvec3 wi;
-    if (u.z < diffuseChance_) {
+    if (u.z < diffuseProbability_) {
         wi = warpToCosineHemisphere(uLobe);
     } else if (isMirror()) {
         const glm::dvec3 mirrored = toWorld({-wo_.x, -wo_.y, wo_.z});
-        return {ontoSideOf(ng_, mirrored), ggx_.mirrorWeight(wo_.z) / (1.0 - diffuseChance_),
+        return {ontoSideOf(ng_, mirrored), ggx_.mirrorWeight(wo_.z) / (1.0 - diffuseProbability_),
                 std::numeric_limits<double>::infinity(), false};
     } else {
         const glm::dvec3 h =

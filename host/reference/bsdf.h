@@ -53,7 +53,7 @@ private:
     bool hasGgx_ = false;
     bool hasBlinnPhong_ = false;
     glm::dvec3 diffuse_{0.0}; ///< reflectance of the diffuse lobe
-    double diffuseChance_ = 1.0;
+    double diffuseProbability_ = 1.0;
     Ggx ggx_;
     BlinnPhong blinnPhong_;
     glm::dvec3 tint_{1.0};

@@ -112,21 +112,21 @@ void Lights::buildAliasTable() {
             poor.push_back(giver);
         }
     }
-    addUpChances();
+    addUpProbabilities();
 }
 
 /// The random numbers have 24 bits, so that they choose a column, and within it the column's own
 /// light, by whole multiples of 2^-24 only.
-void Lights::addUpChances() {
+void Lights::addUpProbabilities() {
     const double steps = 0x1p24;
     const double count = static_cast<double>(columns_.size());
     const auto firstStep = [&](double column) { return std::ceil(column * steps / count); };
     for (size_t i = 0; i < columns_.size(); ++i) {
         const auto column = static_cast<double>(i);
-        const double chance = (firstStep(column + 1.0) - firstStep(column)) / steps;
+        const double probability = (firstStep(column + 1.0) - firstStep(column)) / steps;
         const double own = std::ceil(columns_[i].threshold * steps) / steps;
-        lights_[i].chance += chance * own;
-        lights_[columns_[i].alias].chance += chance * (1.0 - own);
+        lights_[i].selectionProbability += probability * own;
+        lights_[columns_[i].alias].selectionProbability += probability * (1.0 - own);
     }
 }
 

@@ -15,8 +15,8 @@ namespace calotype::reference {
 struct Light {
     std::optional<uint32_t> primitive; ///< none for the background
     glm::dvec3 radiance{0.0};
-    double area = 0.0;   ///< m^2
-    double chance = 0.0; ///< with which it is chosen
+    double area = 0.0;                 ///< m^2
+    double selectionProbability = 0.0; ///< with which it is chosen
     bool shinesFromBack = false;
     bool isHiddenFromCamera = false;
 
@@ -65,7 +65,7 @@ private:
     void add(uint32_t primitive, const Material& material);
     void addBackground();
     void buildAliasTable();
-    void addUpChances();
+    void addUpProbabilities();
     const Shape& shapeOf(const Light& light) const;
 
     const Scene& scene_;

@@ -1,6 +1,7 @@
 #include "reference/reference_tracer.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <glm/geometric.hpp>
 
@@ -17,6 +18,10 @@ double greatest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
 double powerHeuristic(double pdf, double otherPdf) {
     const double ratio = otherPdf / pdf;
     return 1.0 / (1.0 + ratio * ratio);
+}
+
+bool isFinite(const glm::dvec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
 bool isTransparent(const Material& material) {
@@ -46,6 +51,7 @@ public:
     Sample run() {
         while (extend()) {
         }
+        result_.isFinite = isFinite(result_.radiance) && isFinite(throughput_);
         return result_;
     }
 
@@ -69,14 +75,14 @@ private:
 
     /// The share of light found at the ray's end that is this strategy's, where a light sample
     /// would have found it with the density `lightPdf`.
-    double foundWeight(double lightPdf) const {
+    double bsdfMisWeight(double lightPdf) const {
         return bounce_ == 0 ? 1.0 : powerHeuristic(bsdfPdf_, lightPdf);
     }
 
     void addBackground() {
         if (const Light* light = tracer_.lights_.background())
-            result_.radiance +=
-                throughput_ * light->radiance * foundWeight(light->chance / (4.0 * kPi));
+            result_.radiance += throughput_ * light->radiance *
+                                bsdfMisWeight(light->selectionProbability / (4.0 * kPi));
     }
 
     void addEmitted(const Surface& surface) {
@@ -85,7 +91,7 @@ private:
             return;
         const double pdf = tracer_.lights_.pdf(*light, vertex_, surface.position, surface.ng);
         result_.radiance += throughput_ * light->emitted(surface.ng, -ray_.direction) *
-                            foundWeight(pdf * light->chance);
+                            bsdfMisWeight(pdf * light->selectionProbability);
     }
 
     bool passesThrough(const Surface& surface) const {
@@ -143,7 +149,7 @@ private:
         const glm::dvec3 radiance = scattered.value * arrivingRadiance(light, point, ray);
         if (greatest(radiance) <= 0.0)
             return glm::dvec3(0.0);
-        const double pdf = point.pdf * light.chance;
+        const double pdf = point.pdf * light.selectionProbability;
         return radiance * (transmittance(ray, light) * powerHeuristic(pdf, scattered.pdf) / pdf);
     }
 

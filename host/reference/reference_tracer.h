@@ -23,6 +23,7 @@ public:
     struct Sample {
         glm::dvec3 radiance{0.0};
         uint32_t rays = 0;
+        bool isFinite = true; ///< the radiance, and what the path would have weighed more of it by
     };
 
     /// Keeps a reference to the scene. `imageSize` is that of the whole film.

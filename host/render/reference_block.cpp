@@ -9,10 +9,6 @@
 namespace calotype {
 namespace {
 
-bool isFinite(const glm::dvec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 void add(gpu::RenderCounters& sum, const gpu::RenderCounters& counters) {
     sum.rays += counters.rays;
     sum.paths += counters.paths;
@@ -69,14 +65,13 @@ void ReferenceBlock::renderPixel(glm::uvec2 position, uint32_t sampleEnd,
             ++counters.unfinishedPixels;
             return;
         }
-        const auto [radiance, rays] =
+        const reference::ReferenceTracer::Sample sample =
             tracer_.trace({position + glm::uvec2(crop.x, crop.y), firstSample_ + pixel.sampleCount,
                            settings_.seed});
-        const bool finite = isFinite(radiance);
-        pixel.sum += finite ? radiance : glm::dvec3(0.0);
-        counters.rays += rays;
+        pixel.sum += sample.isFinite ? sample.radiance : glm::dvec3(0.0);
+        counters.rays += sample.rays;
         ++counters.paths;
-        counters.nonFiniteSamples += finite ? 0 : 1;
+        counters.nonFiniteSamples += sample.isFinite ? 0 : 1;
     }
 }
 

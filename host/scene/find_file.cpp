@@ -4,6 +4,7 @@
 #include <cctype>
 #include <vector>
 
+#include "base/lowercase.h"
 #include "scene/names.h"
 #include "scene/read_file.h"
 

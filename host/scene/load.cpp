@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
+#include "base/lowercase.h"
 #include "scene/energy_warnings.h"
 #include "scene/json_document.h"
 #include "scene/limit_warnings.h"
 #include "scene/load_context.h"
 #include "scene/model_scene.h"
-#include "scene/names.h"
 #include "scene/radiance_range.h"
 #include "scene/read_color.h"
 #include "scene/read_file.h"

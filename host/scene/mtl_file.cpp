@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/lowercase.h"
 #include "scene/names.h"
 #include "scene/obj_lines.h"
 #include "scene/text_cursor.h"

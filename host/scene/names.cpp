@@ -1,10 +1,10 @@
 #include "scene/names.h"
 
 #include <algorithm>
+#include <sstream>
 #include <vector>
 
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 namespace calotype {
 namespace {
@@ -103,14 +103,6 @@ std::string suggestion(std::string_view name, std::span<const std::string> known
         return "; did you mean " + inQuotes(nearest) + "?";
     }
     return known.empty() ? std::string() : "; known here: " + listInQuotes(known);
-}
-
-std::string lowercase(std::string_view text) {
-    std::string result(text);
-    std::ranges::transform(result, result.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
-    return result;
 }
 
 } // namespace calotype

@@ -26,7 +26,4 @@ std::string suggestion(std::string_view name, std::span<const std::string> known
 /// where more than half of the longer name would have to change.
 std::string nearestName(std::string_view name, std::span<const std::string> known);
 
-/// With ASCII letters made small; all others must be written as they are.
-std::string lowercase(std::string_view text);
-
 } // namespace calotype

@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "image/image.h"
 #include "math/affine_transform.h"
 #include "scene/read_transform.h"
 
@@ -17,7 +18,6 @@ namespace {
 const std::array<std::string, 2> kProjections = {"perspective", "orthographic"};
 /// In the order of FilmFilter.
 const std::array<std::string, 4> kFilters = {"box", "tent", "gaussian", "blackman-harris"};
-constexpr uint32_t kLargestSide = 65535;
 constexpr uint32_t kLargestSeed = std::numeric_limits<uint32_t>::max();
 constexpr double kDefaultFov = 40.0;
 /// Sine of the angle between `up` and the view below which they count as parallel.
@@ -126,8 +126,8 @@ Camera readCamera(const JsonValue& value) {
 FilmSettings readFilm(const JsonValue& value) {
     const JsonObject object(value, {"width", "height", "filter"});
     FilmSettings film;
-    film.width = object.wholeNumber("width", 1, kLargestSide, film.width);
-    film.height = object.wholeNumber("height", 1, kLargestSide, film.height);
+    film.width = object.wholeNumber("width", 1, kLargestPictureSide, film.width);
+    film.height = object.wholeNumber("height", 1, kLargestPictureSide, film.height);
     if (const auto filter = object.optional("filter")) {
         film.filter = static_cast<FilmFilter>(filter->choice(kFilters));
     }

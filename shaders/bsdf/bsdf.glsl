@@ -31,9 +31,9 @@ struct Bsdf {
     vec3 diffuse; ///< reflectance of the diffuse lobe; the tint of a dielectric
     GgxLobe ggx;
     BlinnPhongLobe blinnPhong;
-    float eta;           ///< of a dielectric: far side over the viewer's
-    float diffuseChance; ///< with which the diffuse lobe is sampled
-    bool isMirror;       ///< the GGX lobe is so narrow that it reflects one direction
+    float eta;                ///< of a dielectric: far side over the viewer's
+    float diffuseProbability; ///< with which the diffuse lobe is sampled
+    bool isMirror;            ///< the GGX lobe is so narrow that it reflects one direction
     vec3 ng;
     vec3 horizon; ///< normal of the plane below which nothing is reflected
     vec3 wo;      ///< in the shading frame
@@ -58,7 +58,7 @@ const float kSpecularPdf = 1e30;
 
 /// Share of the samples for the diffuse lobe: by what either lobe reflects. The report's rule for
 /// Blinn-Phong, kd / (kd + ks), and the like with the Fresnel term for GGX.
-float chanceOfDiffuse(vec3 diffuse, vec3 specular) {
+float probabilityOfDiffuse(vec3 diffuse, vec3 specular) {
     float d = greatest(diffuse);
     float s = greatest(specular);
     return d + s > 0.0 ? d / (d + s) : 1.0;
@@ -79,7 +79,7 @@ Bsdf makeBsdf(SurfaceParameters surface, vec3 ng, vec3 ns, vec3 horizon, vec3 wo
     // as much again, so a view along the surface may come out below it by less than 1e-6.
     bsdf.wo = vec3(wo.xy, greater(wo.z, 1e-6));
     bsdf.diffuse = surface.color;
-    bsdf.diffuseChance = 1.0;
+    bsdf.diffuseProbability = 1.0;
     bsdf.isMirror = false;
     bsdf.eta = outside ? surface.eta : 1.0 / surface.eta;
     if (hasGgx && (surface.lobes & kLobeGgx) != 0u) {
@@ -90,13 +90,14 @@ Bsdf makeBsdf(SurfaceParameters surface, vec3 ng, vec3 ns, vec3 horizon, vec3 wo
         bsdf.ggx.maskingK = (surface.lobes & kSmithMasking) != 0u ? -1.0 : k;
         bsdf.isMirror = hasMirrors && bsdf.ggx.alpha < kMirrorAlpha;
         bsdf.diffuse = isMetal ? vec3(0.0) : (1.0 - surface.specular) * surface.color;
-        bsdf.diffuseChance = chanceOfDiffuse(bsdf.diffuse, fresnelSchlick(bsdf.ggx.f0, bsdf.wo.z));
+        bsdf.diffuseProbability =
+            probabilityOfDiffuse(bsdf.diffuse, fresnelSchlick(bsdf.ggx.f0, bsdf.wo.z));
     }
     if (hasBlinnPhong && (surface.lobes & kLobeBlinnPhong) != 0u) {
         bsdf.blinnPhong = BlinnPhongLobe(surface.specular, surface.exponent,
                                          (surface.lobes & kNormalizedLobe) != 0u);
         bsdf.diffuse = surface.kd * surface.color;
-        bsdf.diffuseChance = chanceOfDiffuse(bsdf.diffuse, vec3(surface.specular));
+        bsdf.diffuseProbability = probabilityOfDiffuse(bsdf.diffuse, vec3(surface.specular));
     }
     return bsdf;
 }
@@ -104,7 +105,7 @@ Bsdf makeBsdf(SurfaceParameters surface, vec3 ng, vec3 ns, vec3 horizon, vec3 wo
 /// True where light arrives from one or two certain directions only, which no light sample meets.
 bool isSpecular(Bsdf bsdf) {
     return (hasDielectrics && (bsdf.lobes & kLobeDielectric) != 0u) ||
-           (hasMirrors && bsdf.isMirror && bsdf.diffuseChance == 0.0);
+           (hasMirrors && bsdf.isMirror && bsdf.diffuseProbability == 0.0);
 }
 
 /// For a direction in the world. Specular light has no value at any direction.
@@ -120,15 +121,16 @@ BsdfValue evaluateBsdf(Bsdf bsdf, vec3 wiWorld) {
     vec3 h = normalize(sum);
     if (hasDiffuse && (bsdf.lobes & kLobeDiffuse) != 0u) {
         result.value = evaluateDiffuse(bsdf.diffuse, wi);
-        result.pdf = bsdf.diffuseChance * diffusePdf(wi);
+        result.pdf = bsdf.diffuseProbability * diffusePdf(wi);
     }
     if (hasGgx && (bsdf.lobes & kLobeGgx) != 0u && !bsdf.isMirror) {
         result.value += evaluateGgx(bsdf.ggx, bsdf.wo, wi, h, cosThetaD);
-        result.pdf += (1.0 - bsdf.diffuseChance) * ggxPdf(bsdf.ggx, bsdf.wo, h);
+        result.pdf += (1.0 - bsdf.diffuseProbability) * ggxPdf(bsdf.ggx, bsdf.wo, h);
     }
     if (hasBlinnPhong && (bsdf.lobes & kLobeBlinnPhong) != 0u) {
         result.value += evaluateBlinnPhong(bsdf.blinnPhong, bsdf.wo, wi, h, cosThetaD);
-        result.pdf += (1.0 - bsdf.diffuseChance) * blinnPhongPdf(bsdf.blinnPhong, h, cosThetaD);
+        result.pdf +=
+            (1.0 - bsdf.diffuseProbability) * blinnPhongPdf(bsdf.blinnPhong, h, cosThetaD);
     }
     return result;
 }
@@ -157,7 +159,7 @@ BsdfSample sampleBsdf(Bsdf bsdf, vec3 u) {
     if (hasDielectrics && (bsdf.lobes & kLobeDielectric) != 0u)
         return crossDielectric(bsdf, u.z);
     const bool hasHalfVectors = hasGgx || hasBlinnPhong;
-    bool diffuse = !hasHalfVectors || u.z < bsdf.diffuseChance;
+    bool diffuse = !hasHalfVectors || u.z < bsdf.diffuseProbability;
     vec3 wi = vec3(0.0);
     if (hasDiffuse && diffuse)
         wi = sampleDiffuse(u.xy);
@@ -166,7 +168,7 @@ BsdfSample sampleBsdf(Bsdf bsdf, vec3 u) {
     vec3 wiWorld = bsdf.worldFromShading * wi;
     if (hasMirrors && bsdf.isMirror && !diffuse)
         return BsdfSample(ontoSideOf(bsdf.ng, wiWorld),
-                          mirrorWeight(bsdf.ggx, bsdf.wo.z) / (1.0 - bsdf.diffuseChance),
+                          mirrorWeight(bsdf.ggx, bsdf.wo.z) / (1.0 - bsdf.diffuseProbability),
                           kSpecularPdf, false);
     BsdfValue mixture = evaluateBsdf(bsdf, wiWorld);
     vec3 weight = mixture.pdf > 0.0 ? mixture.value / mixture.pdf : vec3(0.0);

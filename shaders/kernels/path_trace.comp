@@ -53,7 +53,7 @@ void main() {
         pathEnded = pathEnded || outgrown;
         working = !again;
         if (pathEnded && working) {
-            bool finite = isFinite(path.radiance);
+            bool finite = isFinite(path.radiance) && isFinite(path.throughput);
             sum += vec4(finite ? path.radiance : vec3(0.0), 1.0);
             nonFiniteSamples += finite ? 0u : 1u;
             sampleCount++;

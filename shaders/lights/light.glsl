@@ -16,9 +16,9 @@ uint scaledFloor(float u, uint count) {
     return floorOfProduct;
 }
 
-/// Picks a light by its selectionChance in constant time: a column of the alias table, then the
-/// column's own light or its alias (Walker 1974; Vose 1991). u.x picks the column, u.y within it;
-/// the chances count on both being multiples of 2^-24, and on an exact choice.
+/// Picks a light by its selectionProbability in constant time: a column of the alias table, then
+/// the column's own light or its alias (Walker 1974; Vose 1991). u.x picks the column, u.y within
+/// it; the chances count on both being multiples of 2^-24, and on an exact choice.
 uint chooseLight(uint lightCount, vec2 u) {
     uint column = scaledFloor(u.x, lightCount);
     Light light = loadLight(column);

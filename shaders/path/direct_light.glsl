@@ -47,7 +47,7 @@ vec3 directLight(Bsdf bsdf, vec3 origin, vec4 u, uint lightCount, inout PathCost
     LightSample arriving = sampleDirectLight(light, origin, u.zw);
     BsdfValue reflection = evaluateBsdf(bsdf, arriving.wi);
     vec3 radiance = reflection.value * arriving.radiance;
-    float pdf = arriving.pdf * light.selectionChance;
+    float pdf = arriving.pdf * light.selectionProbability;
     if (pdf <= 0.0 || greatest(radiance) <= 0.0)
         return vec3(0.0);
     float share = transmittance(arriving.ray, light.primitive, cost);

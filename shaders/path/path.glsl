@@ -31,7 +31,7 @@ Path startPath(SampleId id, Camera camera, uvec2 imageSize) {
 
 /// Weight of light found at the end of the path's ray. After a scattering event the same light
 /// could have been found by directLight, with density `lightPdf`, so the two share it.
-float foundWeight(Path path, float lightPdf) {
+float bsdfMisWeight(Path path, float lightPdf) {
     return path.bounce == 0u ? 1.0 : misWeight(path.bsdfPdf, lightPdf);
 }
 
@@ -39,7 +39,7 @@ float foundWeight(Path path, float lightPdf) {
 vec3 backgroundLight(Path path, uint lightCount) {
     Light light = loadLight(max(lightCount, 1u) - 1u);
     vec3 radiance = isBackground(light) ? light.radiance : vec3(0.0);
-    return radiance * foundWeight(path, kBackgroundPdf * light.selectionChance);
+    return radiance * bsdfMisWeight(path, kBackgroundPdf * light.selectionProbability);
 }
 
 /// Light that the surface emits towards the ray's origin.
@@ -47,7 +47,7 @@ vec3 emittedLight(Path path, Interaction surface, Light light) {
     vec3 reference = hasAlpha ? path.vertex : path.ray.origin;
     float pdf = lightPdf(light, reference, surface.position, surface.ng);
     return emittedRadiance(light, surface.ng, -path.ray.direction) *
-           foundWeight(path, pdf * light.selectionChance);
+           bsdfMisWeight(path, pdf * light.selectionProbability);
 }
 
 /// True where the path goes on as if the surface were not there. A ray that enters and leaves the

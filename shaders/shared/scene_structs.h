@@ -140,9 +140,9 @@ CALOTYPE_CONSTANT uint kLightHiddenFromCamera = 2u;
 struct Light {
     vec3 radiance;
     uint primitive;
-    float area;            ///< m^2
-    float selectionChance; ///< probability with which this light is chosen
-    float aliasThreshold;  ///< keep this column when the remainder is below, else take `alias`
+    float area;                 ///< m^2
+    float selectionProbability; ///< probability with which this light is chosen
+    float aliasThreshold;       ///< keep this column when the remainder is below, else take `alias`
     uint alias;
     uint flags;
     uint pad0;

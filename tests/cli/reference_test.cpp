@@ -45,6 +45,24 @@ TEST_F(ReferenceDeviceTest, WritesLayers) {
     EXPECT_GT(hits.at(16, 16).depth, 0.0f);
 }
 
+TEST_F(ReferenceDeviceTest, IsAskedForByTheVariableToo) {
+    const std::string stats = folder_ / "stats.json";
+    const auto deviceOf = [&](const ProgramOptions& options, const std::string& device) {
+        std::vector<std::string> arguments = {
+            "render", "scenes/cornell-box.json", "--size",  "8x8", "--spp", "1",
+            "-o",     folder_ / "a.exr",         "--stats", stats};
+        if (!device.empty())
+            arguments.insert(arguments.end(), {"--device", device});
+        EXPECT_EQ(runProgram(arguments, options).exitCode, 0);
+        return nlohmann::json::parse(readText(stats))["device"].get<std::string>();
+    };
+    ProgramOptions byVariable;
+    byVariable.environment["CALOTYPE_DEVICE"] = "Reference";
+    EXPECT_EQ(deviceOf(byVariable, ""), "reference");
+    EXPECT_NE(deviceOf(byVariable, "0"), "reference");
+    EXPECT_EQ(deviceOf({}, "REFERENCE"), "reference");
+}
+
 TEST_F(ReferenceDeviceTest, IsForRenderOnly) {
     for (const char* command : {"info", "devices"}) {
         std::vector<std::string> arguments = {command, "--device", "reference"};

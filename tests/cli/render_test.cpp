@@ -12,8 +12,8 @@
 #include "cli/cli_test.h"
 #include "film/write_image.h"
 #include "image/exr.h"
-#include "image/metrics.h"
 #include "image/pfm.h"
+#include "support/image_means.h"
 
 namespace calotype::test {
 namespace {

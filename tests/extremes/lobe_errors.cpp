@@ -106,7 +106,7 @@ double neededRoundoffs(const Material& material, const gpu::TestScattering& even
     const glm::dvec3 wo = unit(event.wo);
     const glm::dvec3 wi = unit(event.wi);
     const glm::dvec3 value = oracleValue(material, wo, wi);
-    const double chance = answer.diffuseChance;
+    const double chance = answer.diffuseProbability;
     const double pdf = chance * wi.z / std::numbers::pi +
                        (1.0 - chance) * (chance < 1.0 ? oracleHalfVectorPdf(material, wo, wi) : 0);
     const auto isWithin = [&](double found, double wanted, const Band& band) {
@@ -253,7 +253,7 @@ void addSamples(const Material& material, double lobeWidth, SurfaceFrame frame, 
             continue;
         const double slack = kRoundoffOfFloat * std::max(1.0, wanted.weight.x) *
                              (sensitivity(unit(events[i].ng), wo, wi, lobeWidth) +
-                              sensitivity(answers[i].diffuseChance));
+                              sensitivity(answers[i].diffuseProbability));
         const double off = weight - weightAt(bsdf, wanted, unit(answers[i].wi));
         difference += slack < kResolved ? weight - wanted.weight.x : 0.0;
         if (std::abs(off) / slack > errors.roundoffs) {

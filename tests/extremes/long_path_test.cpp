@@ -3,9 +3,9 @@
 #include <iostream>
 
 #include "accel/median_split.h"
-#include "image/metrics.h"
 #include "render/loop_budget.h"
 #include "support/gpu_test.h"
+#include "support/image_means.h"
 #include "support/render_scene.h"
 #include "support/scene_builder.h"
 #include "support/statistics.h"

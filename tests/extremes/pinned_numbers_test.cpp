@@ -121,7 +121,7 @@ TEST_F(PinnedNumbers, ChooseLightsThatShine) {
         const gpu::Light& light = packed.lights[columns[i]];
         ASSERT_EQ(results[i].chosen,
                   queries[i].u.w < light.aliasThreshold ? columns[i] : light.alias);
-        ASSERT_GT(packed.lights[results[i].chosen].selectionChance, 0.0f);
+        ASSERT_GT(packed.lights[results[i].chosen].selectionProbability, 0.0f);
     }
 }
 

@@ -2,8 +2,8 @@
 // radiance is emission / (1 - albedo), wherever one looks: nothing leaks out of so thin a room.
 #include <iostream>
 
-#include "image/metrics.h"
 #include "support/gpu_test.h"
+#include "support/image_means.h"
 #include "support/render_scene.h"
 #include "support/scene_builder.h"
 

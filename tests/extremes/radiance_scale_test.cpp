@@ -7,10 +7,10 @@
 #include "extremes/lit_floor.h"
 #include "film/display_transform.h"
 #include "image/exr.h"
-#include "image/metrics.h"
 #include "image/pfm.h"
 #include "image/read_image.h"
 #include "support/gpu_test.h"
+#include "support/image_means.h"
 #include "support/render_scene.h"
 #include "support/scratch_folder.h"
 

@@ -140,11 +140,17 @@ def write_bmps():
     write("texture", "bmp-old.bmp", old + bytes(range(16)))
 
 
+HDR_START = b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n"
+
+
+def flat_hdr():
+    return HDR_START + b"-Y 2 +X 1\n" + b"\x80\x40\x20\x81" * 2
+
+
 def write_hdrs():
-    start = b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n"
-    write("texture", "hdr-flat.hdr", start + b"-Y 2 +X 1\n" + b"\x80\x40\x20\x81" * 2)
+    write("texture", "hdr-flat.hdr", flat_hdr())
     runs = b"\x02\x02\x00\x08" + b"\x88\x40" * 3 + b"\x08" + bytes(range(124, 132))
-    write("texture", "hdr-runs.hdr", start + b"-Y 1 +X 8\n" + runs)
+    write("texture", "hdr-runs.hdr", HDR_START + b"-Y 1 +X 8\n" + runs)
 
 
 # --- EXR, PFM -------------------------------------------------------------------------------------
@@ -195,6 +201,8 @@ def write_pictures():
     write("picture", "exr-half.exr", exr("none", pixel_type=1))
     write("picture", "exr-tiled.exr", exr("zip", tiled=True))
     write("picture", "little.pfm", b"PF\n2 1\n-1.0\n" + struct.pack("<6f", *range(6)))
+    write("picture", "flat.hdr", flat_hdr())
+    write("picture", "rgb.png", png(2, 8))
     write("picture", "big.pfm", b"PF\n2 1\n1.0\n" + struct.pack(">6f", *range(6)))
 
 

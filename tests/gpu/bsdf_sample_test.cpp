@@ -41,11 +41,11 @@ std::vector<gpu::TestScattered> drawSamples(const TestMaterial& test, double cos
     return runKernel<gpu::TestScattered>(kScatteringSpirv, events);
 }
 
-double mixturePdf(const TestMaterial& test, double diffuseChance, const glm::dvec3& wo,
+double mixturePdf(const TestMaterial& test, double diffuseProbability, const glm::dvec3& wo,
                   const glm::dvec3& wi) {
     const double halfVector =
-        diffuseChance < 1.0 ? oracleHalfVectorPdf(test.material, wo, wi) : 0.0;
-    return diffuseChance * wi.z / kPi + (1.0 - diffuseChance) * halfVector;
+        diffuseProbability < 1.0 ? oracleHalfVectorPdf(test.material, wo, wi) : 0.0;
+    return diffuseProbability * wi.z / kPi + (1.0 - diffuseProbability) * halfVector;
 }
 
 class BsdfSample : public GpuTest {};
@@ -56,14 +56,14 @@ TEST_F(BsdfSample, IsDistributedAsItsDensity) {
         for (const double cosThetaO : kCosines) {
             const glm::dvec3 wo = viewer(cosThetaO);
             const auto samples = drawSamples(test, cosThetaO, random);
-            const double diffuseChance = samples[0].diffuseChance;
+            const double diffuseProbability = samples[0].diffuseProbability;
             std::vector<glm::dvec3> directions;
             for (const gpu::TestScattered& sample : samples)
                 if (sample.pdf > 0.0f)
                     directions.emplace_back(sample.wi);
             const DirectionFit fit =
                 fitDirections(directions, kSamples, wo, test.lobeWidth, [&](const glm::dvec3& wi) {
-                    return mixturePdf(test, diffuseChance, wo, wi);
+                    return mixturePdf(test, diffuseProbability, wo, wi);
                 });
             // The density integrates to one, but for what falls below the surface.
             EXPECT_NEAR(fit.integral, fit.accepted, 0.008) << test.name << ", cosine " << cosThetaO;
@@ -84,7 +84,7 @@ TEST_F(BsdfSample, WeighsValueOverDensity) {
                 }
                 ASSERT_EQ(sample.pdf, sample.pdfAgain);
                 const glm::dvec3 value = oracleValue(test.material, wo, wi);
-                const double pdf = mixturePdf(test, sample.diffuseChance, wo, wi);
+                const double pdf = mixturePdf(test, sample.diffuseProbability, wo, wi);
                 // Rounding turns the half vector, and the shares of two lobes with it.
                 const double tolerance =
                     1e-4 + 2e-5 / (test.lobeWidth * glm::length(wo + wi)) + 1e-6 / wi.z;

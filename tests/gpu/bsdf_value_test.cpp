@@ -71,7 +71,7 @@ TEST_F(BsdfValue, DensityIsThatOfTheWholeMixture) {
         for (size_t i = 0; i < events.size(); ++i) {
             const glm::dvec3 wo = unit(events[i].wo);
             const glm::dvec3 wi = unit(events[i].wi);
-            const double chance = results[i].diffuseChance;
+            const double chance = results[i].diffuseProbability;
             const double halfVector =
                 chance < 1.0 ? oracleHalfVectorPdf(test.material, wo, wi) : 0.0;
             const double wanted = chance * wi.z / std::numbers::pi + (1.0 - chance) * halfVector;

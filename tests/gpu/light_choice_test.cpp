@@ -43,7 +43,7 @@ TEST_F(LightChoice, HappensWithTheSelectionChances) {
     }
     std::vector<double> chances;
     for (const gpu::Light& light : packed.lights)
-        chances.push_back(light.selectionChance);
+        chances.push_back(light.selectionProbability);
     EXPECT_LT(chiSquare(counts, chances), chiSquareLimit(counts.size() - 1));
 }
 

@@ -2,8 +2,8 @@
 // from wherever one looks.
 #include <cmath>
 
-#include "image/metrics.h"
 #include "support/gpu_test.h"
+#include "support/image_means.h"
 #include "support/render_scene.h"
 #include "support/scene_builder.h"
 

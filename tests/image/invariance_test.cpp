@@ -1,8 +1,8 @@
 // What must not change the picture, and does not by a single bit.
 #include <cmath>
 
-#include "image/metrics.h"
 #include "support/gpu_test.h"
+#include "support/image_means.h"
 #include "support/render_scene.h"
 #include "support/scene_builder.h"
 

@@ -6,8 +6,8 @@
 #include <glm/geometric.hpp>
 
 #include "image/byte_image.h"
-#include "image/metrics.h"
 #include "support/gpu_test.h"
+#include "support/image_means.h"
 #include "support/render_scene.h"
 #include "support/scene_builder.h"
 

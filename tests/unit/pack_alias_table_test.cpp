@@ -36,13 +36,13 @@ void expectChances(const std::vector<double>& weights) {
     const double greatest = *std::ranges::max_element(weights) / sum;
     for (size_t i = 0; i < weights.size(); ++i) {
         const double share = weights[i] / sum;
-        EXPECT_NEAR(columns[i].chance, chances[i], 1e-7 * chances[i] + 1e-15) << i;
-        EXPECT_NEAR(columns[i].chance, share, (count * greatest + 1.0) * 0x1p-24) << i;
+        EXPECT_NEAR(columns[i].probability, chances[i], 1e-7 * chances[i] + 1e-15) << i;
+        EXPECT_NEAR(columns[i].probability, share, (count * greatest + 1.0) * 0x1p-24) << i;
         EXPECT_EQ(columns[i].threshold * kNumbers, std::floor(columns[i].threshold * kNumbers));
         EXPECT_GE(columns[i].threshold, 0.0);
         EXPECT_LE(columns[i].threshold, 1.0);
         EXPECT_LT(columns[i].alias, columns.size());
-        EXPECT_EQ(columns[i].chance > 0.0, weights[i] > 0.0);
+        EXPECT_EQ(columns[i].probability > 0.0, weights[i] > 0.0);
     }
 }
 
@@ -72,7 +72,7 @@ TEST(AliasTable, NeverChoosesWhatWeighsNothing) {
 TEST(AliasTable, TellsTheChanceOfWhatIsChosenMoreOftenThanItsShare) {
     const std::vector<AliasColumn> columns = buildAliasTable(std::vector<double>{1e-12, 1.0, 1e6});
     EXPECT_EQ(columns[0].threshold, 0x1p-24);
-    EXPECT_NEAR(columns[0].chance, 0x1p-24 / 3.0, 1e-7 * 0x1p-24);
+    EXPECT_NEAR(columns[0].probability, 0x1p-24 / 3.0, 1e-7 * 0x1p-24);
 }
 
 // With more columns than numbers some columns are never chosen.
@@ -82,8 +82,8 @@ TEST(AliasTable, HasNoChanceWhereNoNumberFalls) {
     double sum = 0.0;
     size_t never = 0;
     for (const AliasColumn& column : columns) {
-        sum += column.chance;
-        never += column.chance == 0.0 ? 1 : 0;
+        sum += column.probability;
+        never += column.probability == 0.0 ? 1 : 0;
     }
     EXPECT_NEAR(sum, 1.0, 1e-9);
     EXPECT_EQ(never, 1u);

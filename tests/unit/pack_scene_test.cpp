@@ -102,7 +102,7 @@ TEST(PackScene, BackgroundIsTheLastLight) {
     ASSERT_EQ(packed.lightCount, 2u);
     EXPECT_EQ(packed.lights[1].primitive, gpu::kBackground);
     EXPECT_EQ(packed.lights[1].radiance, glm::vec3(0.5f, 16.0f, 1.0f));
-    EXPECT_NEAR(packed.lights[1].selectionChance, 0.5, 1e-6);
+    EXPECT_NEAR(packed.lights[1].selectionProbability, 0.5, 1e-6);
     EXPECT_EQ(packed.maxRadiance, 16.0);
 }
 
@@ -113,7 +113,7 @@ TEST(PackScene, LinksLightsAndPrimitivesBothWays) {
     double chances = 0.0;
     for (uint32_t i = 0; i < scene.lightCount; ++i) {
         const gpu::Light& light = scene.lights[i];
-        chances += double(light.selectionChance);
+        chances += double(light.selectionProbability);
         const bool isQuadric = light.primitive & gpu::kQuadricBit;
         const uint32_t index = light.primitive & ~gpu::kQuadricBit;
         EXPECT_EQ(isQuadric ? scene.quadrics[index].light : scene.triangles[index].light, i);
@@ -122,7 +122,7 @@ TEST(PackScene, LinksLightsAndPrimitivesBothWays) {
         const double lamp = 2.0 * (0.2126 + 2.0 * 0.7152 + 4.0 * 0.0722);
         const std::array powers = {lamp * 16.0 * kPi, 0.0, 0.2126 * 8.0 * 1.0, lamp * 9.0 * kPi};
         const double sum = powers[0] + powers[2] + powers[3];
-        EXPECT_NEAR(light.selectionChance, powers[id] / sum, 1e-6);
+        EXPECT_NEAR(light.selectionProbability, powers[id] / sum, 1e-6);
         const std::array areas = {16.0 * kPi, 0.0, 1.0, 9.0 * kPi};
         EXPECT_NEAR(light.area, areas[id], 1e-5);
         EXPECT_EQ(light.radiance, id == 2 ? glm::vec3(8, 0, 0) : glm::vec3(1, 2, 4));

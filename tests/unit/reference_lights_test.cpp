@@ -167,10 +167,10 @@ TEST(ReferenceLights, AreChosenByTheirPower) {
             counts[light.primitive.value_or(3)] += 1.0 / (kSide * kSide);
         }
     for (uint32_t i = 0; i < 3; ++i) {
-        EXPECT_NEAR(lit.lights.ofPrimitive(i)->chance, 2.0 * areas[i] / sum, 1e-6);
+        EXPECT_NEAR(lit.lights.ofPrimitive(i)->selectionProbability, 2.0 * areas[i] / sum, 1e-6);
         EXPECT_NEAR(counts[i], 2.0 * areas[i] / sum, 2e-3);
     }
-    EXPECT_NEAR(lit.lights.background()->chance, background / sum, 1e-6);
+    EXPECT_NEAR(lit.lights.background()->selectionProbability, background / sum, 1e-6);
     EXPECT_NEAR(counts[3], background / sum, 2e-3);
 }
 

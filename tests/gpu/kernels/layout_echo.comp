@@ -114,7 +114,7 @@ void putLight() {
     put(l.radiance);
     put(l.primitive);
     put(l.area);
-    put(l.selectionChance);
+    put(l.selectionProbability);
     put(l.aliasThreshold);
     put(l.alias);
     put(l.flags);

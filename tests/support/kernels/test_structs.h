@@ -91,7 +91,7 @@ struct TestScattered {
     vec3 given; ///< evaluateBsdf at the event's wi
     float givenPdf;
     vec3 ns; ///< as bent to the viewer
-    float diffuseChance;
+    float diffuseProbability;
 };
 
 struct TestTextureRead {

@@ -1,12 +1,10 @@
-#include "image/metrics.h"
-
-#include <cmath>
+#include "support/image_means.h"
 
 #include <gtest/gtest.h>
 
 #include "base/error.h"
 
-namespace calotype {
+namespace calotype::test {
 namespace {
 
 Image make(uint32_t width, uint32_t height, std::vector<glm::vec3> pixels) {
@@ -19,23 +17,6 @@ TEST(ImageMean, AveragesEachChannelInDouble) {
     EXPECT_EQ(imageMean(make(2, 1, {{1, 2, 3}, {3, 6, -3}})), glm::dvec3(2, 4, 0));
     EXPECT_EQ(imageMean(make(2, 1, {{16777216, 0, 0}, {1, 0, 0}})).r, 8388608.5);
     EXPECT_THROW(imageMean(Image()), Error);
-}
-
-TEST(RelativeMse, WeighsByTheReference) {
-    const Image reference = make(2, 1, {{0, 1, 2}, {0, 0, 0}});
-    const Image test = make(2, 1, {{0.1f, 1.5f, 0}, {0, 0, 0}});
-    const double expected = (0.01 / 0.01 + 0.25 / 1.01 + 4.0 / 4.01) / 6.0;
-    EXPECT_NEAR(relativeMse(test, reference), expected, 1e-8); // 0.1f is off by 1.5e-9
-    EXPECT_EQ(relativeMse(reference, reference), 0.0);
-}
-
-TEST(RelativeMse, LetsANanThrough) {
-    EXPECT_TRUE(std::isnan(relativeMse(make(1, 1, {{NAN, 0, 0}}), make(1, 1, {{0, 0, 0}}))));
-}
-
-TEST(RelativeMse, RefusesOtherSizes) {
-    EXPECT_THROW(relativeMse(Image(2, 3), Image(3, 2)), Error);
-    EXPECT_THROW(relativeMse(Image(), Image()), Error);
 }
 
 TEST(BoxDownsample, AveragesSquares) {
@@ -55,4 +36,4 @@ TEST(BoxDownsample, RefusesAFactorThatDoesNotDivide) {
 }
 
 } // namespace
-} // namespace calotype
+} // namespace calotype::test
