@@ -7,17 +7,20 @@
 #include "base/lowercase.h"
 
 namespace calotype {
+namespace {
+
+bool namesReference(const std::string& device) { return lowercase(device) == "reference"; }
+
+} // namespace
 
 bool isReference(const DeviceOptions& options) {
     const char* variable = std::getenv("CALOTYPE_DEVICE");
-    const std::string name = options.device.empty() && variable ? variable : options.device;
-    return lowercase(name) == "reference";
+    return namesReference(options.device.empty() && variable ? variable : options.device);
 }
 
 Instance makeInstance(const DeviceOptions& options) {
-    if (isReference(options))
-        throw UsageError(
-            "the reference is no device: only render knows it; name another by --device");
+    if (namesReference(options.device))
+        throw UsageError("--device reference is no device; only render knows it");
     if (options.threads > 0)
         setenv("LP_NUM_THREADS", std::to_string(options.threads).c_str(), 1);
     return Instance();

@@ -23,11 +23,12 @@ private:
     Device device_;
 };
 
-/// Whether the options ask for the reference tracer, on no device.
+/// Whether the options, or else CALOTYPE_DEVICE, ask for the reference tracer, on no device.
 bool isReference(const DeviceOptions& options);
 
 /// Instance after making sure that lavapipe will use as many threads as the options ask for: it
-/// reads that when it is loaded. Throws UsageError where isReference.
+/// reads that when it is loaded. Throws UsageError where
+/// --device names the reference.
 Instance makeInstance(const DeviceOptions& options);
 
 /// Throws GpuError with the estimate and the limit where `bytes` exceed the device's memory.

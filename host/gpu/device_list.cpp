@@ -122,7 +122,10 @@ DeviceChoice chooseDevice(const std::vector<DeviceInfo>& devices, std::string_vi
                        "which renders on the CPU)");
     if (!wish.empty())
         return chooseByWish(devices, wish, "--device");
-    if (const char* variable = std::getenv("CALOTYPE_DEVICE"); variable && *variable)
+    const char* variable = std::getenv("CALOTYPE_DEVICE");
+    // Of no device: render takes it for its other tracer.
+    const bool isReference = variable && lowercase(variable) == "reference";
+    if (variable && *variable && !isReference)
         return chooseByWish(devices, variable, "CALOTYPE_DEVICE");
     const DeviceInfo* best = nullptr;
     for (const DeviceInfo& device : devices)

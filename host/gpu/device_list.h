@@ -28,8 +28,9 @@ struct DeviceChoice {
 std::vector<DeviceInfo> listDevices(const Instance& instance);
 
 /// Picks a device: by `wish` (an index, or part of a name in any case) if it is not empty,
-/// otherwise the CALOTYPE_DEVICE variable's wish, otherwise the highest rank, the first of equals.
-/// Throws GpuError, naming the devices there are, where nothing fits.
+/// otherwise the CALOTYPE_DEVICE variable's wish (unless that is "reference"), otherwise the
+/// highest rank, the first of equals. Throws GpuError, naming the devices there are, where nothing
+/// fits.
 DeviceChoice chooseDevice(const std::vector<DeviceInfo>& devices, std::string_view wish);
 
 } // namespace calotype

@@ -18,10 +18,8 @@
 namespace calotype {
 namespace {
 
-/// 16384 x 16384, which is 3 GiB as floats.
-constexpr uint64_t kMostPixels = uint64_t{1} << 28;
 /// In bytes: a PFM, the format that packs least, with so many pixels and a page for its header.
-constexpr uintmax_t kLargestFile = kMostPixels * sizeof(glm::vec3) + 4096;
+constexpr uintmax_t kLargestFile = kMostPicturePixels * sizeof(glm::vec3) + 4096;
 /// In bytes: the longest signature, "#?RADIANCE".
 constexpr size_t kSignature = 10;
 
@@ -54,11 +52,11 @@ size_t sizeOfFile(const std::filesystem::path& path) {
     return size;
 }
 
-void checkArea(const ImageSize& size, const std::string& where) {
-    if (uint64_t{size.width} * size.height > kMostPixels)
+void checkArea(const ImageSize& size, uint64_t mostPixels, const std::string& where) {
+    if (uint64_t{size.width} * size.height > mostPixels)
         throw SceneError(where, "the picture has " + std::to_string(size.width) + " x " +
                                     std::to_string(size.height) + " pixels, more than the " +
-                                    std::to_string(kMostPixels) +
+                                    std::to_string(mostPixels) +
                                     " that can be compared; compare a part of it");
 }
 
@@ -79,12 +77,12 @@ bool isPfm(std::string_view file) {
 
 } // namespace
 
-Image readImage(const std::filesystem::path& path) {
+Image readImage(const std::filesystem::path& path, uint64_t mostPixels) {
     const std::string where = path.string();
     std::ifstream file = openRegularFile(path);
     const std::string signature = readBytes(file, kSignature);
     if (isExr(signature)) {
-        checkArea(checkExr(path), where);
+        checkArea(checkExr(path), mostPixels, where);
         return readExr(path);
     }
     const size_t fileSize = sizeOfFile(path);
@@ -99,9 +97,9 @@ Image readImage(const std::filesystem::path& path) {
                          "HDR and PNG are");
     const std::string bytes = readBytes(file, fileSize);
     if (isPng(bytes))
-        checkArea(checkPng(bytes, where), where);
+        checkArea(checkPng(bytes, where), mostPixels, where);
     const TexelImage texels = readTexelImage(bytes, kLargestPictureSide, where);
-    checkArea({texels.width, texels.height}, where);
+    checkArea({texels.width, texels.height}, mostPixels, where);
     return linearImage(texels);
 }
 

@@ -21,7 +21,8 @@ constexpr double kGap = 1e-6;
 constexpr double kMostPairs = 1e7;
 constexpr size_t kMostNamed = 5; ///< lights, lest a grid of lamps fill the screen
 
-/// A triangle, or a disk as a polygon within it, which leaves out 2 % of its radius at most.
+/// A triangle; or a disk, the cap of a cylinder or the base of a cone as a polygon within it, which
+/// leaves out 2 % of its radius at most.
 struct Facet {
     static constexpr size_t kMostCorners = 16;
 
@@ -35,16 +36,17 @@ struct Facet {
     std::span<const glm::dvec3> corners() const { return {polygon.data(), cornerCount}; }
 };
 
-Facet facetOf(const Disk& disk) {
-    const glm::dmat3& frame = disk.worldFromObject.rotation;
+/// A disk about the axis y of a frame, `height` above its origin.
+Facet diskFacet(const RigidTransform& worldFromObject, double height, double radius) {
+    const glm::dmat3& frame = worldFromObject.rotation;
     Facet facet;
     facet.normal = frame[1];
     facet.cornerCount = Facet::kMostCorners;
     for (size_t i = 0; i < facet.cornerCount; ++i) {
         const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) /
                              static_cast<double>(facet.cornerCount);
-        facet.polygon[i] = disk.worldFromObject.translation +
-                           disk.radius * (std::sin(angle) * frame[0] + std::cos(angle) * frame[2]);
+        facet.polygon[i] = worldFromObject.translation + height * frame[1] +
+                           radius * (std::sin(angle) * frame[0] + std::cos(angle) * frame[2]);
     }
     return facet;
 }
@@ -76,7 +78,16 @@ void forEachFacet(const Scene& scene, const Visit& visit) {
             visit(facet);
         };
         if (const auto* disk = std::get_if<Disk>(&shape.geometry)) {
-            visitOne(facetOf(*disk), shape.material);
+            visitOne(diskFacet(disk->worldFromObject, 0.0, disk->radius), shape.material);
+        } else if (const auto* cylinder = std::get_if<Cylinder>(&shape.geometry)) {
+            for (const double height : {-0.5 * cylinder->height, 0.5 * cylinder->height}) {
+                visitOne(diskFacet(cylinder->worldFromObject, height, cylinder->radius),
+                         shape.material);
+            }
+        } else if (const auto* cone = std::get_if<Cone>(&shape.geometry)) {
+            visitOne(diskFacet(cone->worldFromObject, cone->height,
+                               cone->slope * std::abs(cone->height)),
+                     shape.material);
         } else if (const auto* mesh = std::get_if<Mesh>(&shape.geometry)) {
             for (const Mesh::Triangle& triangle : mesh->triangles) {
                 visitOne(facetOf(*mesh, triangle), triangle.material);

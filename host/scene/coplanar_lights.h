@@ -6,9 +6,9 @@
 
 namespace calotype {
 
-/// Warns of flat lights that lie in the plane of another flat shape that covers them, such as a
-/// ceiling: rounding decides, point by point, which of the two a ray meets. A few are named, others
-/// counted. Scenes of more than 10^7 pairs of a light's triangle and another are not looked
+/// Warns of lights whose flat part lies in the plane of another flat shape that covers it, such as
+/// a ceiling: rounding decides, point by point, which of the two a ray meets. A few are named,
+/// others counted. Scenes of more than 10^7 pairs of a light's triangle and another are not looked
 /// through. `path` is the scene file's or the model's.
 void warnOfCoplanarLights(LoadContext& context, const std::string& path);
 

@@ -5,13 +5,14 @@
 namespace calotype {
 
 /// Metres. In meshes smaller than this a ray's products of lengths come near the end of float's
-/// range; at a hundredth of it they underflow, and rays pass through.
+/// range; at a hundredth of it they underflow, and rays pass through. Quadrics hold out longer.
 constexpr double kSmallestShape = 1e-11;
 
-/// A shape's size over its distance from the scene's packed origin: 64 roundings of 2^-23. Places
+/// A shape's size over its distance from the scene's packed origin: 128 roundings of 2^-23. Places
 /// are off by a few roundings, and with them the size of the shape, of its light and its shadow: by
-/// 0.6 % at this size, and by less as the inverse of it (SmallFarLampTest in tests/extremes).
-constexpr double kSmallestShare = 0x1p-17;
+/// half a percent at this size, and by less as the inverse of it (SmallFarLampTest in
+/// tests/extremes).
+constexpr double kSmallestShare = 0x1p-16;
 
 /// Warns, once all is read, of shapes that are smaller than either: in one sentence for all, at the
 /// place of the one that is smallest for its distance.

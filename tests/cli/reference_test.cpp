@@ -61,6 +61,8 @@ TEST_F(ReferenceDeviceTest, IsAskedForByTheVariableToo) {
     EXPECT_EQ(deviceOf(byVariable, ""), "reference");
     EXPECT_NE(deviceOf(byVariable, "0"), "reference");
     EXPECT_EQ(deviceOf({}, "REFERENCE"), "reference");
+    EXPECT_EQ(runProgram({"devices"}, byVariable).exitCode, 0);
+    EXPECT_EQ(runProgram({"info", "scenes/cornell-box.json"}, byVariable).exitCode, 0);
 }
 
 TEST_F(ReferenceDeviceTest, IsForRenderOnly) {

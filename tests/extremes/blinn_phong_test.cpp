@@ -45,6 +45,7 @@ protected:
         EXPECT_EQ(errors.notFinite, 0u);
         EXPECT_LE(errors.roundoffs, kAllowedRoundoffs) << errors.worst;
         EXPECT_EQ(errors.unexplained, 0u) << errors.worst;
+        EXPECT_LE(errors.tipped, errors.events / 500);
         EXPECT_LE(errors.meanDifference, 1e-5);
         return errors;
     }

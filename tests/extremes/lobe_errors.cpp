@@ -163,17 +163,21 @@ double weightAt(const reference::Bsdf& bsdf, const reference::Bsdf::Sample& scat
     return there.pdf > 0.0 ? there.value.x / there.pdf : 0.0;
 }
 
-/// Whether two samples go the same way, if they go anywhere.
-bool agree(const gpu::TestScattered& answer, const reference::Bsdf::Sample& wanted) {
-    constexpr double kSameLobe = 1e-2; // distance of two unit vectors
+/// Whether two samples of a view go the same way, if they go anywhere: to a tenth of the lobe's
+/// width and of how far they are from the mirror's direction.
+bool agree(const gpu::TestScattering& event, double lobeWidth, const gpu::TestScattered& answer,
+           const reference::Bsdf::Sample& wanted) {
     const bool leaves = answer.weight.x > 0.0f;
+    const glm::dvec3 mirrored = glm::reflect(-unit(event.wo), unit(event.ng));
+    const double near = 0.1 * (lobeWidth + glm::distance(wanted.wi, mirrored));
     return leaves == (wanted.weight.x > 0.0) &&
-           (!leaves || glm::distance(glm::dvec3(answer.wi), wanted.wi) < kSameLobe);
+           (!leaves || glm::distance(glm::dvec3(answer.wi), wanted.wi) < near);
 }
 
 /// Whether the reference agrees with the answer for some view and numbers near the event's.
-bool isExplainedByRounding(const Material& material, const gpu::TestScattering& event,
-                           const gpu::TestScattered& answer, RandomNumbers& random) {
+bool isExplainedByRounding(const Material& material, double lobeWidth,
+                           const gpu::TestScattering& event, const gpu::TestScattered& answer,
+                           RandomNumbers& random) {
     constexpr int kTries = 1000;
     constexpr double kNear = 8.0 * kRoundoffOfFloat;
     const auto near = [&](float u) {
@@ -186,10 +190,12 @@ bool isExplainedByRounding(const Material& material, const gpu::TestScattering& 
         const reference::Bsdf bsdf(material, {}, surface, wo);
         const reference::Bsdf::Sample wanted =
             bsdf.sample({near(event.u1), near(event.u2), near(event.u3)});
-        if (agree(answer, wanted))
+        if (agree(event, lobeWidth, answer, wanted))
             return true;
         const glm::dvec3 wi = glm::normalize(wanted.wi + kNear * random.direction());
-        if (answer.weight.x == 0.0f && bsdf.evaluate(wi).pdf < std::numeric_limits<float>::min())
+        const bool underflows =
+            std::isfinite(wanted.pdf) && bsdf.evaluate(wi).pdf < std::numeric_limits<float>::min();
+        if (answer.weight.x == 0.0f && underflows)
             return true;
     }
     return false;
@@ -241,9 +247,9 @@ void addSamples(const Material& material, double lobeWidth, SurfaceFrame frame, 
         errors.greatestWeight = std::max(errors.greatestWeight, weight);
         const glm::dvec3 wo = unit(events[i].wo);
         const glm::dvec3 wi(answers[i].wi);
-        if (!agree(answers[i], wanted)) {
+        if (!agree(events[i], lobeWidth, answers[i], wanted)) {
             ++errors.tipped;
-            if (!isExplainedByRounding(material, events[i], answers[i], random)) {
+            if (!isExplainedByRounding(material, lobeWidth, events[i], answers[i], random)) {
                 ++errors.unexplained;
                 errors.worst = describe(material, events[i]);
             }

@@ -42,7 +42,7 @@ enum class SurfaceFrame { Upright, Turned };
 /// c) of themselves, or of 1: rounding moves cosines, turns half vectors by what a lobe of that
 /// width feels, and c is the smaller of two lobes' chances. A lobe is resolved where that stays
 /// below a thousandth for n = 1. Tipped are samples of which only one of the two leaves the
-/// surface, or leaves it by another lobe. Rounding explains those that the reference's go to from a
+/// surface, or leaves it elsewhere. Rounding explains those that the reference's go to from a
 /// view and numbers within 8 2^-23 of the given ones, and the loss of those whose density
 /// underflows in float for a direction that near.
 void addSamples(const Material& material, double lobeWidth, SurfaceFrame frame, size_t count,

@@ -1,6 +1,5 @@
 #include "extremes/picture_agreement.h"
 
-#include <algorithm>
 #include <iostream>
 
 #include <glm/common.hpp>
@@ -16,28 +15,6 @@ namespace {
 
 constexpr uint32_t kThreads = 2;
 constexpr uint32_t kSeed = 7;
-
-double largest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
-
-/// The first sample of each pixel.
-std::vector<glm::vec4> firstSamples(BlockTracer& tracer) {
-    tracer.beginBlock(0);
-    tracer.renderTiles({0, tracer.tileCount()}, 1);
-    const std::span<const glm::vec4> pixels = tracer.readBlock();
-    return {pixels.begin(), pixels.end()};
-}
-
-double differingShare(BlockTracer& device, BlockTracer& reference) {
-    const std::vector<glm::vec4> seen = firstSamples(device);
-    const std::vector<glm::vec4> expected = firstSamples(reference);
-    size_t differing = 0;
-    for (size_t i = 0; i < expected.size(); ++i) {
-        const glm::dvec3 value(expected[i]);
-        const double difference = largest(glm::abs(glm::dvec3(seen[i]) - value));
-        differing += difference <= 1e-3 * std::max(1.0, largest(value)) ? 0 : 1; // NaN too
-    }
-    return static_cast<double>(differing) / static_cast<double>(expected.size());
-}
 
 } // namespace
 

@@ -10,7 +10,8 @@
 namespace calotype::test {
 namespace {
 
-constexpr double kDistance = 1e5; ///< metres from the camera
+/// Metres from the camera along y, the axis on which it is farthest.
+constexpr double kDistance = 1e5;
 
 /// One metre large, half a metre above the origin.
 struct LampKind {
@@ -40,7 +41,7 @@ Scene farLamp(const Shape& lamp, double size) {
     scene.render.maxBounces = 2;
     Camera camera;
     camera.projection = Projection::Orthographic;
-    camera.position = kDistance * glm::normalize(glm::dvec3(1.0, 1.3, 0.7));
+    camera.position = kDistance * glm::dvec3(0.77, 1.0, 0.54);
     camera.forward = -glm::normalize(camera.position);
     camera.right = glm::normalize(glm::cross(camera.forward, {0.0, 1.0, 0.0}));
     camera.up = glm::cross(camera.right, camera.forward);

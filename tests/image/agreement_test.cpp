@@ -1,9 +1,7 @@
 // The device against the reference tracer, path by path and in the mean.
-#include <algorithm>
 #include <iostream>
 
 #include <glm/common.hpp>
-#include <glm/vector_relational.hpp>
 
 #include "image/judged_scenes.h"
 #include "reference/reference_tracer.h"
@@ -51,42 +49,17 @@ TileMeans independentMeans(const Scene& scene, uint32_t side, size_t blocks) {
     return renderTileMeans(device.tracer(), side, side, blocks);
 }
 
-double largest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
-
-/// By more than a thousandth of its value and of the picture's mean together. NaN differs too.
-bool differs(const glm::dvec3& found, const glm::dvec3& expected, const glm::dvec3& mean) {
-    return !glm::all(
-        glm::lessThanEqual(glm::abs(found - expected), 1e-3 * (glm::abs(expected) + mean)));
-}
-
 class AgreementTest : public GpuTest, public testing::WithParamInterface<JudgedScene> {
 protected:
     Scene scene_ = projectScene(GetParam().path);
 };
-
-/// One sample of every pixel.
-std::vector<glm::vec4> firstSamples(BlockTracer& tracer) {
-    tracer.beginBlock(0);
-    while (tracer.renderTiles({0, tracer.tileCount()}, 1).unfinishedPixels > 0) {
-    }
-    const std::span<const glm::vec4> sums = tracer.readBlock();
-    return {sums.begin(), sums.end()};
-}
 
 // Paths from the same random numbers are the same but where rounding tips a decision: which of two
 // lights, lobes or surfaces a number or a ray at their very border falls to.
 TEST_P(AgreementTest, PathsAreTheSame) {
     constexpr uint32_t kSide = 96;
     Judged judged(scene_, kSide);
-    const auto reference = firstSamples(judged.reference());
-    const auto device = firstSamples(judged.device());
-    glm::dvec3 mean(0.0);
-    for (const glm::vec4& sample : reference)
-        mean += glm::dvec3(sample) / static_cast<double>(reference.size());
-    size_t differing = 0;
-    for (size_t i = 0; i < reference.size(); ++i)
-        differing += differs(glm::dvec3(device[i]), glm::dvec3(reference[i]), mean) ? 1 : 0;
-    const double share = static_cast<double>(differing) / (kSide * kSide);
+    const double share = differingShare(judged.device(), judged.reference());
     EXPECT_LE(share, GetParam().mostDiffering);
     std::cout << "differ by a thousandth: " << 100.0 * share << " %\n";
 }

@@ -58,9 +58,14 @@ def check_mutation(mutation, test_sources):
         if not match:
             raise ListError(f"has a filter that does not name suite and test in full: {pattern}")
         test = re.compile(rf"TEST(_F|_P)?\(\s*{match[1]},\s*{match[2]}\s*\)")
-        if not test.search(test_sources[mutation["target"]]):
+        found = test.search(test_sources[mutation["target"]])
+        if not found:
             raise ListError(f"names {match[1]}.{match[2]}, which is no test in "
                             f"tests/{mutation['target']}")
+        has_parameters = found[1] == "_P"
+        if has_parameters != (pattern.startswith("*") and match[3] is not None):
+            raise ListError(f"has a filter that fits no test; those with parameters are named "
+                            f"*SUITE.TEST/INSTANCE: {pattern}")
 
 
 def check_list(mutations):

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 #include <gtest/gtest.h>
 
 #include "base/check.h"
@@ -64,6 +66,19 @@ void renderWholeBlock(BlockTracer& tracer) {
     }
 }
 
+std::vector<glm::dvec3> firstSamples(BlockTracer& tracer) {
+    tracer.beginBlock(0);
+    while (tracer.renderTiles({0, tracer.tileCount()}, 1).unfinishedPixels > 0) {
+    }
+    const std::span<const glm::vec4> sums = tracer.readBlock();
+    return {sums.begin(), sums.end()};
+}
+
+bool differs(const glm::dvec3& found, const glm::dvec3& expected, const glm::dvec3& mean) {
+    return !glm::all(
+        glm::lessThanEqual(glm::abs(found - expected), 1e-3 * (glm::abs(expected) + mean)));
+}
+
 } // namespace
 
 glm::dvec3 TileMeans::whole(size_t block) const {
@@ -122,6 +137,20 @@ PairedDifference comparePaired(const TileMeans& a, const TileMeans& b) {
     }
     return result;
 }
+
+double differingShare(BlockTracer& device, BlockTracer& reference) {
+    const std::vector<glm::dvec3> found = firstSamples(device);
+    const std::vector<glm::dvec3> expected = firstSamples(reference);
+    glm::dvec3 mean(0.0);
+    for (const glm::dvec3& sample : expected)
+        mean += sample / static_cast<double>(expected.size());
+    size_t differing = 0;
+    for (size_t i = 0; i < expected.size(); ++i)
+        differing += differs(found[i], expected[i], mean) ? 1 : 0;
+    return static_cast<double>(differing) / static_cast<double>(expected.size());
+}
+
+double largest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
 double normalLimit(size_t count) {
     // P(|Z| > z) for large z is erfc(z / sqrt 2); `count` of them together, at most count times

@@ -49,6 +49,13 @@ struct PairedDifference {
 };
 PairedDifference comparePaired(const TileMeans& a, const TileMeans& b);
 
+/// The share of pixels whose first samples, from the same random numbers, differ by more than a
+/// thousandth of the reference's value and of its picture's mean together. NaN differs too.
+double differingShare(BlockTracer& device, BlockTracer& reference);
+
+/// Of a vector's components.
+double largest(const glm::dvec3& v);
+
 /// What a standard normal deviate stays below in magnitude, `count` of them together, but for once
 /// in 10,000 times.
 double normalLimit(size_t count);

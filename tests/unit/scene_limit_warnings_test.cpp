@@ -92,6 +92,22 @@ TEST_F(LimitWarnings, LampsThatCrossInOnePlane) {
     EXPECT_EQ(warningsOf(scene, "lies in the plane of").size(), 2u);
 }
 
+TEST_F(LimitWarnings, CapsAndBasesInThePlaneOfACeiling) {
+    const auto warningsAbout = [&](const std::string& shape) {
+        nlohmann::json scene = underCeiling(diskAt(1.0));
+        scene["materials"]["lamp"] = {{"type", "diffuse"}, {"color", 0}, {"emission", 1}};
+        scene["shapes"].push_back(nlohmann::json::parse(shape));
+        return warningsOf(scene, "/shapes/1: lies in the plane of").size();
+    };
+    const std::string cylinder = R"({"type": "cylinder", "material": "lamp", "radius": 0.2,
+                                     "height": 1, "center": [0.3, )";
+    EXPECT_EQ(warningsAbout(cylinder + "1.5, 0.3]}"), 1u);
+    EXPECT_EQ(warningsAbout(cylinder + "1.4, 0.3]}"), 0u);
+    EXPECT_EQ(warningsAbout(R"({"type": "cone", "material": "lamp", "slope": 0.5, "height": 1,
+                                "apex": [0.3, 1, 0.3]})"),
+              1u);
+}
+
 TEST_F(LimitWarnings, LampsInThePlaneOfTheirOwnMesh) {
     const auto warningsOfModel = [&](double height) {
         files_.write("room.mtl", "newmtl wall\nnewmtl lamp\nKe 1 1 1\n");

@@ -114,12 +114,37 @@ TEST_F(PrecisionWarnings, OfWhatIsSmallForItsDistance) {
     };
     const auto warnings = ofPrecision(files_.load(cylinderAt(1e5, 0.1, 3.0)).warnings);
     ASSERT_EQ(warnings.size(), 1u);
-    EXPECT_NE(warnings[0].find("/shapes/0: is only 0.2 m large, 1e+05 m from the camera or the "
+    EXPECT_NE(warnings[0].find("/shapes/0: is only 0.2 m wide, 1e+05 m from the camera or the "
                                "scene's near side, where single precision knows places to 0.012 m"),
               std::string::npos)
         << warnings[0];
-    EXPECT_EQ(ofPrecision(files_.load(cylinderAt(1e5, 3.0, 0.7)).warnings).size(), 1u);
-    EXPECT_TRUE(ofPrecision(files_.load(cylinderAt(1e5, 3.0, 0.8)).warnings).empty());
+    EXPECT_EQ(ofPrecision(files_.load(cylinderAt(1e5, 0.75, 9.0)).warnings).size(), 1u);
+    EXPECT_TRUE(ofPrecision(files_.load(cylinderAt(1e5, 0.78, 9.0)).warnings).empty());
+    EXPECT_TRUE(ofPrecision(files_.load(cylinderAt(1e5, 3.0, 0.01)).warnings).empty()) << "a coin";
+}
+
+TEST_F(PrecisionWarnings, OfThinAndScatteredTrianglesForTheirDistance) {
+    const auto warningsOfModel = [&](const std::string& vertices, const std::string& faces) {
+        files_.write("m.obj", vertices + faces);
+        nlohmann::json scene =
+            sceneWithShape(R"({"type": "mesh", "file": "m.obj", "material": "wall"})");
+        scene["shapes"].push_back(
+            {{"type", "sphere"}, {"center", {0, 1, 4}}, {"radius", 1}, {"material", "wall"}});
+        return ofPrecision(files_.load(scene).warnings);
+    };
+    const auto strip = [](double width) {
+        const std::string x = std::to_string(1000.123 + width);
+        return "v 1000.123 0 0\nv " + x + " 0 0\nv " + x + " 10 0\nv 1000.123 10 0\n";
+    };
+    const auto warnings = warningsOfModel(strip(0.0001), "f 1 2 3 4\n");
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_NE(warnings[0].find("/shapes/0: has triangles only "), std::string::npos) << warnings[0];
+    EXPECT_TRUE(warningsOfModel(strip(0.1), "f 1 2 3 4\n").empty());
+    EXPECT_EQ(warningsOfModel("v 1000.123 0 0\nv 1000.12314 0 0\nv 1000.123 0.0002 0\n"
+                              "v 1000.123 9 0\nv 1000.12314 9 0\nv 1000.123 9.0002 0\n",
+                              "f 1 2 3\nf 4 5 6\n")
+                  .size(),
+              1u);
 }
 
 TEST_F(PrecisionWarnings, OfWhatIsSmallInAnyCase) {
@@ -131,8 +156,9 @@ TEST_F(PrecisionWarnings, OfWhatIsSmallInAnyCase) {
     EXPECT_TRUE(ofPrecision(files_.load(tiny(0.51e-11)).warnings).empty());
     const auto warnings = ofPrecision(files_.load(tiny(0.49e-11)).warnings);
     ASSERT_EQ(warnings.size(), 1u);
-    EXPECT_NE(warnings[0].find("is only 9.8e-12 m large; below 1e-11 m single precision lets rays"),
-              std::string::npos)
+    EXPECT_NE(
+        warnings[0].find("is only 9.8e-12 m wide; below 1e-11 m single precision may let rays"),
+        std::string::npos)
         << warnings[0];
 }
 
