@@ -58,12 +58,11 @@ FirstHitLayer parseLayer(std::string_view name) {
 } // namespace
 
 PictureSize parseSize(const std::string& text) {
+    static_assert(kLargestPictureSide == 65535, "as the message says");
     const auto sides = parseList(text, 'x', 2);
     if (!sides || (*sides)[0] < 1 || (*sides)[1] < 1 || (*sides)[0] > kLargestPictureSide ||
         (*sides)[1] > kLargestPictureSide)
-        fail("--size", text,
-             "WIDTHxHEIGHT in pixels from 1 to " + std::to_string(kLargestPictureSide) +
-                 ", such as 640x480");
+        fail("--size", text, "WIDTHxHEIGHT in pixels from 1 to 65535, such as 640x480");
     return {(*sides)[0], (*sides)[1]};
 }
 

@@ -21,7 +21,7 @@ std::string formatted(const char* format, double value) {
 std::string bar(double done) {
     constexpr int kWidth = 24;
     const int filled = static_cast<int>(std::floor(kWidth * std::clamp(done, 0.0, 1.0)));
-    return "[" + std::string(filled, '#') + std::string(kWidth - filled, '.') + "]";
+    return '[' + std::string(filled, '#') + std::string(kWidth - filled, '.') + ']';
 }
 
 } // namespace
