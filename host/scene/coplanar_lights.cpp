@@ -29,6 +29,7 @@ struct Facet {
     size_t shape = 0;
     size_t number = 0; ///< within the shape
     bool shines = false;
+    bool isOfSolid = false; ///< seen from the side of its normal only
     glm::dvec3 normal{0.0}; ///< unit
     size_t cornerCount = 0;
     std::array<glm::dvec3, kMostCorners> polygon{};
@@ -37,7 +38,7 @@ struct Facet {
 };
 
 /// A disk about the axis y of a frame, `height` above its origin.
-Facet diskFacet(const RigidTransform& worldFromObject, double height, double radius) {
+Facet facetOfDisk(const RigidTransform& worldFromObject, double height, double radius) {
     const glm::dmat3& frame = worldFromObject.rotation;
     Facet facet;
     facet.normal = frame[1];
@@ -48,6 +49,14 @@ Facet diskFacet(const RigidTransform& worldFromObject, double height, double rad
         facet.polygon[i] = worldFromObject.translation + height * frame[1] +
                            radius * (std::sin(angle) * frame[0] + std::cos(angle) * frame[2]);
     }
+    return facet;
+}
+
+/// The cap or base of a solid that lies between it and the frame's origin.
+Facet endOfSolid(const RigidTransform& worldFromObject, double height, double radius) {
+    Facet facet = facetOfDisk(worldFromObject, height, radius);
+    facet.isOfSolid = true;
+    facet.normal *= height < 0.0 ? -1.0 : 1.0;
     return facet;
 }
 
@@ -78,16 +87,15 @@ void forEachFacet(const Scene& scene, const Visit& visit) {
             visit(facet);
         };
         if (const auto* disk = std::get_if<Disk>(&shape.geometry)) {
-            visitOne(diskFacet(disk->worldFromObject, 0.0, disk->radius), shape.material);
+            visitOne(facetOfDisk(disk->worldFromObject, 0.0, disk->radius), shape.material);
         } else if (const auto* cylinder = std::get_if<Cylinder>(&shape.geometry)) {
             for (const double height : {-0.5 * cylinder->height, 0.5 * cylinder->height}) {
-                visitOne(diskFacet(cylinder->worldFromObject, height, cylinder->radius),
+                visitOne(endOfSolid(cylinder->worldFromObject, height, cylinder->radius),
                          shape.material);
             }
         } else if (const auto* cone = std::get_if<Cone>(&shape.geometry)) {
-            visitOne(diskFacet(cone->worldFromObject, cone->height,
-                               cone->slope * std::abs(cone->height)),
-                     shape.material);
+            const double radius = cone->slope * std::abs(cone->height);
+            visitOne(endOfSolid(cone->worldFromObject, cone->height, radius), shape.material);
         } else if (const auto* mesh = std::get_if<Mesh>(&shape.geometry)) {
             for (const Mesh::Triangle& triangle : mesh->triangles) {
                 visitOne(facetOf(*mesh, triangle), triangle.material);
@@ -134,6 +142,11 @@ bool isInPlaneOf(const Facet& light, const Facet& other, double tolerance) {
     });
 }
 
+/// What stands on a floor hides its own end, and the floor below it.
+bool canBeSeen(const Facet& facet, const glm::dvec3& camera) {
+    return !facet.isOfSolid || glm::dot(facet.normal, camera - facet.polygon[0]) > 0.0;
+}
+
 bool isItself(const Facet& a, const Facet& b) { return a.shape == b.shape && a.number == b.number; }
 
 void warn(LoadContext& context, const Facet& light, const Facet& other, double gap) {
@@ -155,7 +168,7 @@ void warnOfCoplanarLights(LoadContext& context, const std::string& path) {
     double facets = 0.0;
     forEachFacet(scene, [&](const Facet& facet) {
         facets += 1.0;
-        if (facet.shines) {
+        if (facet.shines && canBeSeen(facet, scene.camera.position)) {
             lights.push_back(facet);
         }
     });
@@ -164,6 +177,9 @@ void warnOfCoplanarLights(LoadContext& context, const std::string& path) {
     }
     std::set<size_t> coplanar;
     forEachFacet(scene, [&](const Facet& other) {
+        if (!canBeSeen(other, scene.camera.position)) {
+            return;
+        }
         for (const Facet& light : lights) {
             const double gap = kGap * glm::distance(light.polygon[0], scene.camera.position);
             if (!isItself(light, other) && isInPlaneOf(light, other, gap) &&

@@ -101,10 +101,11 @@ TEST_F(LimitWarnings, CapsAndBasesInThePlaneOfACeiling) {
     };
     const std::string cylinder = R"({"type": "cylinder", "material": "lamp", "radius": 0.2,
                                      "height": 1, "center": [0.3, )";
-    EXPECT_EQ(warningsAbout(cylinder + "1.5, 0.3]}"), 1u);
-    EXPECT_EQ(warningsAbout(cylinder + "1.4, 0.3]}"), 0u);
-    EXPECT_EQ(warningsAbout(R"({"type": "cone", "material": "lamp", "slope": 0.5, "height": 1,
-                                "apex": [0.3, 1, 0.3]})"),
+    EXPECT_EQ(warningsAbout(cylinder + "2.5, 0.3]}"), 1u) << "sunk into the ceiling";
+    EXPECT_EQ(warningsAbout(cylinder + "1.5, 0.3]}"), 0u) << "hung from it, the end unseen";
+    EXPECT_EQ(warningsAbout(cylinder + "2.4, 0.3]}"), 0u) << "reaching through it";
+    EXPECT_EQ(warningsAbout(R"({"type": "cone", "material": "lamp", "slope": 0.5, "height": -1,
+                                "apex": [0.3, 3, 0.3]})"),
               1u);
 }
 
