@@ -2,54 +2,90 @@
 
 #include <algorithm>
 
-#include "shared/limits.h"
-
 namespace calotype {
 namespace {
 
-/// Calls visit(node index, depth) for each node, parents first, until it returns false. A node may
-/// be visited at most once per edge that leads to it, and never more often than there are nodes.
-template <typename Visit>
-void forEachNode(const Bvh& bvh, const Visit& visit) {
-    std::vector<std::pair<uint32_t, uint32_t>> stack;
-    if (!bvh.nodes.empty())
-        stack.emplace_back(0, 0);
-    while (!stack.empty()) {
-        const auto [index, depth] = stack.back();
-        stack.pop_back();
-        if (!visit(index, depth))
-            return;
-        const Bvh::Node& node = bvh.nodes[index];
-        if (!node.isLeaf()) {
-            stack.emplace_back(node.first + 1, depth + 1);
-            stack.emplace_back(node.first, depth + 1);
+bool isOf(const Primitive& primitive, Bvh::SlotKind kind) {
+    return (primitive.kind == PrimitiveKind::Triangle) == (kind == Bvh::SlotKind::Triangles);
+}
+
+/// Goes through the tree from its root and remembers what it meets.
+class DefectFinder {
+public:
+    DefectFinder(const Bvh& bvh, std::span<const Primitive> primitives)
+        : bvh_(bvh), primitives_(primitives), reached_(bvh.nodes.size(), false),
+          seen_(primitives.size(), false) {}
+
+    std::optional<std::string> find() {
+        uint32_t depth = 0;
+        for (std::vector<uint32_t> level = {0}; !level.empty(); ++depth) {
+            std::vector<uint32_t> next;
+            for (const uint32_t index : level)
+                if (const auto defect = visit(index, next))
+                    return "node " + std::to_string(index) + " " + *defect;
+            level = std::move(next);
         }
+        if (depth != bvh_.depth + 1)
+            return "the depth is not that of the deepest node";
+        if (std::ranges::find(reached_, false) != reached_.end())
+            return "a node cannot be reached from the root";
+        if (std::ranges::find(seen_, false) != seen_.end())
+            return "a primitive is in no leaf";
+        return std::nullopt;
     }
-}
 
-std::string nodeName(uint32_t index) { return "node " + std::to_string(index); }
-
-std::optional<std::string> findLeafDefect(const Bvh& bvh, const Bvh::Node& leaf,
-                                          std::span<const Primitive> primitives,
-                                          std::vector<bool>& seen) {
-    if (leaf.count > gpu::kMaxLeafPrimitives)
-        return "holds too many primitives";
-    if (leaf.first > bvh.order.size() || leaf.count > bvh.order.size() - leaf.first)
-        return "reaches beyond the primitives";
-    for (uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
-        const uint32_t number = bvh.order[i];
-        if (number >= primitives.size())
-            return "names a primitive that does not exist";
-        if (seen[number])
-            return "holds a primitive that another leaf holds";
-        seen[number] = true;
-        if (!leaf.bounds.contains(primitives[number].bounds))
-            return "has a box that does not contain its primitives";
-        if (primitives[number].kind != primitives[bvh.order[leaf.first]].kind)
-            return "mixes kinds of primitives";
+private:
+    std::optional<std::string> visit(uint32_t index, std::vector<uint32_t>& next) {
+        if (index >= bvh_.nodes.size())
+            return "does not exist";
+        if (reached_[index])
+            return "has two parents";
+        reached_[index] = true;
+        const Bvh::Node& node = bvh_.nodes[index];
+        uint32_t child = node.firstNode;
+        size_t place = node.firstPrimitive;
+        for (const Bvh::Slot& slot : node.slots) {
+            if (slot.kind == Bvh::SlotKind::Empty)
+                continue;
+            if (!node.bounds.contains(slot.bounds))
+                return "does not contain its children";
+            if (slot.kind == Bvh::SlotKind::Node) {
+                if (child < bvh_.nodes.size() && !slot.bounds.contains(bvh_.nodes[child].bounds))
+                    return "has a slot that does not contain its node";
+                next.push_back(child++);
+            } else if (const auto defect = visitLeaf(slot, place)) {
+                return defect;
+            }
+            place += slot.count;
+        }
+        return std::nullopt;
     }
-    return std::nullopt;
-}
+
+    std::optional<std::string> visitLeaf(const Bvh::Slot& leaf, size_t place) {
+        if (leaf.count == 0 || leaf.count > Bvh::kMostInLeaf)
+            return "has a leaf of too few or too many primitives";
+        if (place + leaf.count > bvh_.order.size())
+            return "reaches beyond the primitives";
+        for (size_t i = place; i < place + leaf.count; ++i) {
+            const uint32_t number = bvh_.order[i];
+            if (number >= primitives_.size())
+                return "names a primitive that does not exist";
+            if (seen_[number])
+                return "holds a primitive that another leaf holds";
+            seen_[number] = true;
+            if (!leaf.bounds.contains(primitives_[number].bounds))
+                return "has a leaf that does not contain its primitives";
+            if (!isOf(primitives_[number], leaf.kind))
+                return "has a leaf of mixed kinds";
+        }
+        return std::nullopt;
+    }
+
+    const Bvh& bvh_;
+    std::span<const Primitive> primitives_;
+    std::vector<bool> reached_;
+    std::vector<bool> seen_;
+};
 
 } // namespace
 
@@ -58,18 +94,21 @@ BvhStatistics bvhStatistics(const Bvh& bvh) {
     statistics.nodes = bvh.nodes.size();
     if (bvh.nodes.empty())
         return statistics;
-    double cost = 0.0;
-    forEachNode(bvh, [&](uint32_t index, uint32_t depth) {
-        const Bvh::Node& node = bvh.nodes[index];
-        const double tests = node.isLeaf() ? node.count : 2.0;
-        cost += tests * halfArea(node.bounds);
-        statistics.leaves += node.isLeaf() ? 1 : 0;
-        statistics.depth = std::max(statistics.depth, depth);
-        return true;
-    });
-    const Bvh::Node& root = bvh.nodes.front();
-    const double rootArea = halfArea(root.bounds);
-    statistics.sahCost = rootArea > 0.0 ? cost / rootArea : 0.0;
+    const double rootArea = halfArea(bvh.nodes.front().bounds);
+    const auto share = [&](const Bounds3f& bounds) {
+        return rootArea > 0.0 ? halfArea(bounds) / rootArea : 0.0;
+    };
+    size_t children = 0;
+    for (const Bvh::Node& node : bvh.nodes) {
+        statistics.nodesVisited += share(node.bounds);
+        for (const Bvh::Slot& slot : node.slots) {
+            children += slot.kind != Bvh::SlotKind::Empty ? 1 : 0;
+            statistics.leaves += slot.isLeaf() ? 1 : 0;
+            statistics.primitivesVisited += slot.isLeaf() ? slot.count * share(slot.bounds) : 0.0;
+        }
+    }
+    statistics.childrenPerNode =
+        static_cast<double>(children) / static_cast<double>(bvh.nodes.size());
     statistics.primitivesPerLeaf =
         static_cast<double>(bvh.order.size()) / static_cast<double>(statistics.leaves);
     return statistics;
@@ -82,31 +121,7 @@ std::optional<std::string> findBvhDefect(const Bvh& bvh, std::span<const Primiti
         return bvh.nodes.empty() ? std::nullopt : std::optional("an empty scene has nodes");
     if (bvh.nodes.empty())
         return "the tree has no nodes";
-    std::optional<std::string> defect;
-    std::vector<bool> reached(bvh.nodes.size(), false);
-    std::vector<bool> seen(primitives.size(), false);
-    forEachNode(bvh, [&](uint32_t index, uint32_t depth) {
-        const Bvh::Node& node = bvh.nodes[index];
-        if (reached[index])
-            defect = nodeName(index) + " has two parents";
-        else if (depth > gpu::kMaxBvhDepth)
-            defect = nodeName(index) + " lies too deep";
-        else if (node.isLeaf()) {
-            if (const auto leafDefect = findLeafDefect(bvh, node, primitives, seen))
-                defect = nodeName(index) + " " + *leafDefect;
-        } else if (node.first == 0 || size_t{node.first} + 1 >= bvh.nodes.size())
-            defect = nodeName(index) + " names children that do not exist";
-        else if (!node.bounds.contains(bvh.nodes[node.first].bounds) ||
-                 !node.bounds.contains(bvh.nodes[node.first + 1].bounds))
-            defect = nodeName(index) + " does not contain its children";
-        reached[index] = true;
-        return !defect;
-    });
-    if (!defect && std::find(reached.begin(), reached.end(), false) != reached.end())
-        defect = "a node cannot be reached from the root";
-    if (!defect && std::find(seen.begin(), seen.end(), false) != seen.end())
-        defect = "a primitive is in no leaf";
-    return defect;
+    return DefectFinder(bvh, primitives).find();
 }
 
 } // namespace calotype

@@ -1,18 +1,17 @@
 #pragma once
 
-#include <functional>
-#include <span>
-
-#include "accel/bvh.h"
+#include "accel/binary_tree.h"
+#include "accel/binary_tree_builder.h"
 
 namespace calotype {
 
-/// Builds the report's tree: the primitives are split into two halves of equal count by the centres
-/// of their boxes along one axis, until a leaf holds at most kMaxLeafPrimitives of one kind. The
-/// axis is the one that makes the halves' boxes smallest, which the report leaves open. The depth
-/// is at most log2(primitives) + 2. Deterministic. `onProgress`, if given, hears the share of
-/// primitives already in leaves.
-Bvh buildMedianSplit(std::span<const Primitive> primitives,
-                     const std::function<void(double)>& onProgress = {});
+/// Puts the half of the references with the lower centres first, along the axis in which the
+/// centres lie farthest apart; equal centres go by number. Returns how many they are.
+size_t splitByMedian(std::span<BoxReference> references);
+
+/// The report's tree: primitives are split into two halves of equal count by the centres of their
+/// boxes along one axis, which the report leaves open. Deterministic.
+BinaryTree buildMedianSplit(std::span<const Primitive> primitives,
+                            const BuildOptions& options = {});
 
 } // namespace calotype

@@ -1,6 +1,6 @@
 #include "cli/device_engine.h"
 
-#include "accel/median_split.h"
+#include "accel/build_bvh.h"
 #include "cli/timed.h"
 #include "render/first_hit_pass.h"
 
@@ -10,8 +10,9 @@ namespace {
 GpuScene build(const Scene& scene, const EngineRequest& request) {
     const glm::dvec3 origin = packingOrigin(scene);
     const std::vector<Primitive> primitives = collectPrimitives(scene, origin);
-    const Bvh bvh = buildMedianSplit(
-        primitives, [&](double done) { request.onProgress("building the BVH", done); });
+    BuildOptions options;
+    options.onProgress = [&](double done) { request.onProgress("building the BVH", done); };
+    const Bvh bvh = buildBvh(primitives, BvhBuilder::Sah, options);
     return packScene(scene, primitives, bvh, origin,
                      static_cast<double>(request.settings.width) / request.settings.height,
                      request.wantsFirstHits ? PackedUvs::All : PackedUvs::OfTextured);
@@ -19,7 +20,7 @@ GpuScene build(const Scene& scene, const EngineRequest& request) {
 
 /// Throws GpuError where the device has not enough.
 uint64_t requiredBytes(const Device& device, const GpuScene& packed, const EngineRequest& request) {
-    const uint64_t bytes = packed.bytes() + pathTracerBytes(request.settings) +
+    const uint64_t bytes = packed.bytes() + pathTracerBytes(device, request.settings) +
                            (request.wantsFirstHits ? firstHitPassBytes(request.settings) : 0);
     requireMemory(device, bytes);
     return bytes;

@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <optional>
 #include <string>
 
-#include "accel/median_split.h"
+#include "accel/build_bvh.h"
 #include "base/error.h"
 #include "cli/device_session.h"
 #include "cli/exit_code.h"
 #include "pack/gpu_scene.h"
-#include "render/loop_budget.h"
 #include "render/path_tracer.h"
 #include "scene/load.h"
 #include "scene/scene_bounds.h"
@@ -40,11 +38,13 @@ void printCounts(const Scene& scene, const GpuScene& packed,
                     bounds.lower.z, bounds.upper.x, bounds.upper.y, bounds.upper.z);
 }
 
-void printBvh(const BvhStatistics& statistics) {
-    std::printf(
-        "BVH         %zu nodes, %zu leaves of %.2f primitives, depth %u of %u, SAH cost %.1f\n",
-        statistics.nodes, statistics.leaves, statistics.primitivesPerLeaf, statistics.depth,
-        gpu::kMaxBvhDepth, statistics.sahCost);
+void printBvh(const Bvh& bvh) {
+    const BvhStatistics statistics = bvhStatistics(bvh);
+    std::printf("BVH         %zu nodes of %.2f children, depth %u of %u, %zu leaves of %.2f "
+                "primitives; a ray visits %.1f nodes and %.1f primitives\n",
+                statistics.nodes, statistics.childrenPerNode, bvh.depth, gpu::kMaxBvhDepth,
+                statistics.leaves, statistics.primitivesPerLeaf, statistics.nodesVisited,
+                statistics.primitivesVisited);
 }
 
 void printMemory(const Device& device, const GpuScene& packed, const RenderSettings& settings) {
@@ -55,7 +55,7 @@ void printMemory(const Device& device, const GpuScene& packed, const RenderSetti
     std::printf("device      %s (%s)\n", device.info().name.c_str(),
                 device.choice().reason.c_str());
     std::printf("memory      %.1f MiB scene + %.1f MiB picture of %ux%u, of %.0f MiB\n",
-                mib(packed.bytes()), mib(pathTracerBytes(settings)), settings.width,
+                mib(packed.bytes()), mib(pathTracerBytes(device, settings)), settings.width,
                 settings.height, mib(device.memorySize()));
     std::printf("largest     %.1f MiB in one buffer, of %.0f MiB\n", mib(largest),
                 mib(uint64_t{device.limits().maxTexelBufferElements} * 16));
@@ -69,16 +69,6 @@ void printFeatures(const SceneFeatures& features) {
     std::printf("kernel for  %s\n", names.c_str());
 }
 
-void warnOfLongPaths(const Device& device, const BvhStatistics& bvh, uint32_t maxBounces) {
-    const std::optional<uint32_t> bounces = bouncesBeforeCut(device, bvh);
-    if (bounces && maxBounces > *bounces)
-        std::fprintf(stderr,
-                     "calotype: warning: max_bounces is %u, but paths of more than about %u "
-                     "scattering events outgrow this device's loop limit; such paths are cut, and "
-                     "counted when the scene is rendered\n",
-                     maxBounces, *bounces);
-}
-
 } // namespace
 
 int infoCommand(const InfoOptions& options) {
@@ -90,7 +80,7 @@ int infoCommand(const InfoOptions& options) {
         std::fprintf(stderr, "calotype: warning: %s\n", warning.c_str());
     const glm::dvec3 origin = packingOrigin(scene);
     const std::vector<Primitive> primitives = collectPrimitives(scene, origin);
-    const Bvh bvh = buildMedianSplit(primitives);
+    const Bvh bvh = buildBvh(primitives);
     const FilmSettings& film = scene.film;
     const GpuScene packed =
         packScene(scene, primitives, bvh, origin, static_cast<double>(film.width) / film.height);
@@ -100,12 +90,10 @@ int infoCommand(const InfoOptions& options) {
     settings.crop = {0, 0, film.width, film.height};
 
     printCounts(scene, packed, primitives);
-    const BvhStatistics statistics = bvhStatistics(bvh);
-    printBvh(statistics);
+    printBvh(bvh);
     printFeatures(packed.features);
     const DeviceSession session(options.device);
     printMemory(session.device(), packed, settings);
-    warnOfLongPaths(session.device(), statistics, scene.render.maxBounces);
     session.throwOnValidationMessages();
     return kExitDone;
 }

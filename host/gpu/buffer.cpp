@@ -19,6 +19,15 @@ std::span<const std::byte> checkRows(const Device& device, std::span<const std::
     return contents;
 }
 
+/// Makes what was copied visible to the kernels of later submissions.
+void showToKernels(const vk::raii::CommandBuffer& commands) {
+    using Access = vk::AccessFlagBits;
+    const vk::MemoryBarrier barrier(
+        Access::eTransferWrite, Access::eShaderRead | Access::eShaderWrite | Access::eUniformRead);
+    commands.pipelineBarrier(vk::PipelineStageFlagBits::eTransfer,
+                             vk::PipelineStageFlagBits::eComputeShader, {}, barrier, {}, {});
+}
+
 } // namespace
 
 Buffer::Buffer(const Device& device, size_t bytes, vk::BufferUsageFlags usage, Memory memory,
@@ -53,14 +62,20 @@ Buffer uploadBuffer(const Device& device, std::span<const std::byte> contents,
         device.submitAndWait([&](const vk::raii::CommandBuffer& commands) {
             commands.copyBuffer(staging.handle(), buffer.handle(),
                                 vk::BufferCopy(0, offset, bytes));
-            using Access = vk::AccessFlagBits;
-            const vk::MemoryBarrier toKernels(Access::eTransferWrite,
-                                              Access::eShaderRead | Access::eUniformRead);
-            commands.pipelineBarrier(vk::PipelineStageFlagBits::eTransfer,
-                                     vk::PipelineStageFlagBits::eComputeShader, {}, toKernels, {},
-                                     {});
+            showToKernels(commands);
         });
     }
+    return buffer;
+}
+
+Buffer zeroedBuffer(const Device& device, size_t bytes, const std::string& name) {
+    Buffer buffer(device, bytes,
+                  vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eTransferDst,
+                  Buffer::Memory::Device, name);
+    device.submitAndWait([&](const vk::raii::CommandBuffer& commands) {
+        commands.fillBuffer(buffer.handle(), 0, VK_WHOLE_SIZE, 0);
+        showToKernels(commands);
+    });
     return buffer;
 }
 

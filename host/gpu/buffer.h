@@ -40,6 +40,9 @@ private:
 Buffer uploadBuffer(const Device& device, std::span<const std::byte> contents,
                     vk::BufferUsageFlags usage, const std::string& name);
 
+/// A storage buffer on the device, all zeros, for kernels alone.
+Buffer zeroedBuffer(const Device& device, size_t bytes, const std::string& name);
+
 /// Rows of 16 bytes for kernels to fetch. Throws GpuError, naming the limit, where there are more
 /// than the device can address.
 class TexelBuffer {

@@ -46,9 +46,11 @@ std::string missingRequirement(const vk::raii::PhysicalDevice& device,
             return static_cast<bool>(family.queueFlags & vk::QueueFlagBits::eCompute);
         }))
         return "a compute queue";
-    if (!(subgroup.supportedOperations & vk::SubgroupFeatureFlagBits::eArithmetic) ||
+    constexpr vk::SubgroupFeatureFlags kNeeded =
+        vk::SubgroupFeatureFlagBits::eArithmetic | vk::SubgroupFeatureFlagBits::eBallot;
+    if ((subgroup.supportedOperations & kNeeded) != kNeeded ||
         !(subgroup.supportedStages & vk::ShaderStageFlagBits::eCompute))
-        return "subgroup arithmetic in compute shaders";
+        return "subgroup arithmetic and ballots in compute shaders";
     const auto texels = device.getFormatProperties(vk::Format::eR32G32B32A32Uint).bufferFeatures;
     if (!(texels & vk::FormatFeatureFlagBits::eUniformTexelBuffer))
         return "texel buffers of 128-bit rows";
@@ -107,8 +109,9 @@ std::vector<DeviceInfo> listDevices(const Instance& instance) {
             info.type = type;
             info.driver = std::string(driver.driverName.data()) + " " + driver.driverInfo.data();
             info.apiVersion = versionText(properties.apiVersion);
-            info.missing =
-                missingRequirement(device, chain.get<vk::PhysicalDeviceSubgroupProperties>());
+            const auto& subgroup = chain.get<vk::PhysicalDeviceSubgroupProperties>();
+            info.subgroupSize = subgroup.subgroupSize;
+            info.missing = missingRequirement(device, subgroup);
             info.rank = rank;
             devices.push_back(std::move(info));
         }

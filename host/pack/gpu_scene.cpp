@@ -8,6 +8,7 @@
 #include "pack/pack_camera.h"
 #include "pack/pack_lights.h"
 #include "pack/pack_material.h"
+#include "pack/pack_node.h"
 #include "pack/pack_shapes.h"
 
 namespace calotype {
@@ -46,9 +47,8 @@ public:
 
 private:
     /// Triangles and quadrics, each in the order of the leaves, so that a leaf is a range of one of
-    /// the arrays. `names_` keeps under which name each place in the order is known.
+    /// the arrays.
     void packPrimitives() {
-        names_.reserve(bvh_.order.size());
         const bool smooth = anyTriangleHasNormals();
         enable(gpu::kFeatureSmoothNormals, smooth);
         packMaterials();
@@ -87,7 +87,6 @@ private:
             packed_.triangleNormals.push_back(packTriangleNormals(mesh, index));
         if (textured)
             packed_.triangleUvs.push_back(packTriangleUvs(mesh, index));
-        names_.push_back(name);
     }
 
     void addQuadric(const Shape& shape, uint32_t number) {
@@ -98,7 +97,6 @@ private:
         enable(gpu::kFeatureSpheres + quadric.kind, true);
         enable(gpu::kFeatureSphereLights + quadric.kind, shines);
         packed_.quadrics.push_back(quadric);
-        names_.push_back(name);
     }
 
     /// Tells each shining primitive its light.
@@ -119,10 +117,13 @@ private:
 
     void packNodes() {
         packed_.nodes.reserve(bvh_.nodes.size());
-        for (const Bvh::Node& node : bvh_.nodes)
-            packed_.nodes.push_back({node.bounds.lower,
-                                     node.isLeaf() ? names_[node.first] : node.first,
-                                     node.bounds.upper, node.count});
+        FirstPrimitives first;
+        for (const Bvh::Node& node : bvh_.nodes) {
+            packed_.nodes.push_back(packNode(node, first));
+            for (const Bvh::Slot& slot : node.slots)
+                (slot.kind == Bvh::SlotKind::Quadrics ? first.quadric : first.triangle) +=
+                    slot.count;
+        }
     }
 
     /// Materials that something bears. What others would need of the kernel is left out.
@@ -158,7 +159,7 @@ private:
     /// meets.
     void fillEmptyArrays() {
         if (packed_.nodes.empty()) {
-            packed_.nodes.push_back({glm::vec3(0.0f), 0, glm::vec3(0.0f), 1});
+            packed_.nodes.emplace_back();
             enable(gpu::kFeatureTriangles, true);
         }
         const auto fill = [](auto& array) {
@@ -191,7 +192,6 @@ private:
     GpuScene packed_;
     LightPacker lights_;
     std::vector<bool> isPacked_;  ///< by material
-    std::vector<uint32_t> names_; ///< by place in the leaves' order: index, with kQuadricBit
 };
 
 template <typename T>

@@ -46,7 +46,7 @@ FirstHitPass::FirstHitPass(const Device& device, const GpuScene& scene, const Sc
                   .cropOrigin = {settings.crop.x, settings.crop.y},
                   .cropSize = {settings.crop.width, settings.crop.height},
                   .firstTile = 0,
-                  .iterationsBeforeCut = loopBudget(device).beforeCut},
+                  .iterationsBeforeCut = loopBudget(device)},
       camera_(uploadBuffer(device, std::as_bytes(std::span(&scene.camera, 1)),
                            vk::BufferUsageFlagBits::eUniformBuffer, "camera of the first hits")),
       records_(device, recordBytes(tilesPerDispatch_), vk::BufferUsageFlagBits::eStorageBuffer,

@@ -20,7 +20,7 @@ uint32_t coprimeStride(uint32_t tileCount) {
 }
 
 gpu::RenderParameters makeParameters(const GpuScene& scene, const RenderSettings& settings,
-                                     uint32_t tileCount, LoopBudget budget) {
+                                     uint32_t tileCount, uint32_t iterationBudget) {
     gpu::RenderParameters parameters{};
     parameters.imageSize = {settings.width, settings.height};
     parameters.cropOrigin = {settings.crop.x, settings.crop.y};
@@ -30,17 +30,33 @@ gpu::RenderParameters makeParameters(const GpuScene& scene, const RenderSettings
     parameters.seed = settings.seed;
     parameters.maxBounces = settings.maxBounces;
     parameters.lightCount = scene.lightCount;
-    parameters.iterationsBeforePause = budget.beforePause;
-    parameters.iterationsBeforeCut = budget.beforeCut;
+    parameters.iterationBudget = iterationBudget;
     return parameters;
 }
 
 std::vector<Binding> withKernelBindings(std::vector<Binding> bindings, const Buffer& camera,
-                                        const StorageImage& block, const Buffer& counters) {
+                                        const StorageImage& block, const Buffer& counters,
+                                        const Buffer& parkedPaths) {
     bindings.push_back(Binding::uniformBuffer(gpu::kBindingCamera, camera));
     bindings.push_back(Binding::storageImage(gpu::kBindingBlock, block));
     bindings.push_back(Binding::storageBuffer(gpu::kBindingCounters, counters));
+    bindings.push_back(Binding::storageBuffer(gpu::kBindingParkedPaths, parkedPaths));
     return bindings;
+}
+
+std::vector<uint32_t> specialization(const Device& device, const SceneFeatures& features,
+                                     const KernelTuning& tuning) {
+    std::vector<uint32_t> constants(features.enabled.begin(), features.enabled.end());
+    constants.resize(gpu::kConstantCount);
+    constants[gpu::kConstantSubgroupSize] = device.info().subgroupSize;
+    constants[gpu::kConstantNodeEighths] = tuning.nodeEighths;
+    constants[gpu::kConstantPrimitiveEighths] = tuning.primitiveEighths;
+    constants[gpu::kConstantPathEighths] = tuning.pathEighths;
+    return constants;
+}
+
+size_t parkedBytes(const Device& device, const Crop& crop) {
+    return size_t{countTiles(crop)} * device.info().subgroupSize * sizeof(gpu::ParkedPath);
 }
 
 size_t blockBytes(const Crop& crop) { return size_t{crop.width} * crop.height * sizeof(glm::vec4); }
@@ -48,7 +64,8 @@ size_t blockBytes(const Crop& crop) { return size_t{crop.width} * crop.height * 
 } // namespace
 
 PathTracer::PathTracer(const Device& device, const GpuScene& scene, const SceneBuffers& buffers,
-                       const SceneFeatures& features, const RenderSettings& settings)
+                       const SceneFeatures& features, const RenderSettings& settings,
+                       const KernelTuning& tuning)
     : device_(device), tileCount_(countTiles(settings.crop)),
       parameters_(makeParameters(scene, settings, tileCount_, loopBudget(device))),
       block_(device, settings.crop.width, settings.crop.height, "block"),
@@ -58,12 +75,13 @@ PathTracer::PathTracer(const Device& device, const GpuScene& scene, const SceneB
                            vk::BufferUsageFlagBits::eUniformBuffer, "camera")),
       counters_(device, sizeof(gpu::RenderCounters), vk::BufferUsageFlagBits::eStorageBuffer,
                 Buffer::Memory::Host, "counters"),
-      pipeline_(device,
-                {.name = "path trace",
-                 .spirv = kPathTraceSpirv,
-                 .bindings = withKernelBindings(buffers.bindings(), camera_, block_, counters_),
-                 .constants = {features.enabled.begin(), features.enabled.end()},
-                 .pushConstantBytes = sizeof(gpu::RenderParameters)}) {
+      parkedPaths_(zeroedBuffer(device, parkedBytes(device, settings.crop), "parked paths")),
+      pipeline_(device, {.name = "path trace",
+                         .spirv = kPathTraceSpirv,
+                         .bindings = withKernelBindings(buffers.bindings(), camera_, block_,
+                                                        counters_, parkedPaths_),
+                         .constants = specialization(device, features, tuning),
+                         .pushConstantBytes = sizeof(gpu::RenderParameters)}) {
     // Some drivers compile at the first dispatch: let that be one without samples.
     beginBlock(0);
     renderTiles({0, 1}, 0);
@@ -88,8 +106,9 @@ std::span<const glm::vec4> PathTracer::readBlock() {
     return readback_.mapped<glm::vec4>();
 }
 
-uint64_t pathTracerBytes(const RenderSettings& settings) {
-    return 2 * blockBytes(settings.crop) + sizeof(gpu::Camera) + sizeof(gpu::RenderCounters);
+uint64_t pathTracerBytes(const Device& device, const RenderSettings& settings) {
+    return 2 * blockBytes(settings.crop) + sizeof(gpu::Camera) + sizeof(gpu::RenderCounters) +
+           parkedBytes(device, settings.crop);
 }
 
 } // namespace calotype

@@ -10,6 +10,7 @@
 #include "gpu/storage_image.h"
 #include "pack/gpu_scene.h"
 #include "render/block_tracer.h"
+#include "render/kernel_tuning.h"
 #include "render/render_settings.h"
 #include "render/scene_buffers.h"
 #include "shared/render_structs.h"
@@ -21,7 +22,8 @@ class PathTracer : public BlockTracer {
 public:
     /// Compiles the kernel, specialised for `features`. The scene's buffers must outlive this.
     PathTracer(const Device& device, const GpuScene& scene, const SceneBuffers& buffers,
-               const SceneFeatures& features, const RenderSettings& settings);
+               const SceneFeatures& features, const RenderSettings& settings,
+               const KernelTuning& tuning = {});
 
     uint32_t tileCount() const override { return tileCount_; }
     void beginBlock(uint32_t firstSample) override;
@@ -37,10 +39,11 @@ private:
     Buffer readback_;
     Buffer camera_;
     Buffer counters_;
+    Buffer parkedPaths_;
     ComputePipeline pipeline_;
 };
 
 /// Bytes that a PathTracer takes on the device, beside the scene.
-uint64_t pathTracerBytes(const RenderSettings& settings);
+uint64_t pathTracerBytes(const Device& device, const RenderSettings& settings);
 
 } // namespace calotype

@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <chrono>
 
-#include "base/error.h"
 #include "shared/limits.h"
 
 namespace calotype {
 namespace {
 
-/// Samples that a pass adds, at most. A whole block of 16 in one dispatch often outgrows llvmpipe's
-/// loop budget, and finishing it in a second one with most lanes idle cost a quarter of the time.
-constexpr uint32_t kMaxPassSamples = 8;
+/// Samples that a pass adds, at most: a whole block.
+constexpr uint32_t kMaxPassSamples = gpu::kSamplesPerBlock;
 
 /// Where the pass ends that begins with `done` samples in every pixel: the first doubles, none
 /// crosses a multiple of kMaxPassSamples, the last sample, or a multiple of `passSamples`.
@@ -69,10 +67,6 @@ bool RenderSession::renderPass(uint32_t sampleEnd, const RenderObserver& observe
         totals_.seconds += seconds;
         if (counters.unfinishedPixels == 0)
             first += count;
-        else if (counters.paths == 0)
-            throw GpuError(
-                "a dispatch made no progress: its paths outgrew the device's limit on loop "
-                "iterations; lower --max-bounces");
         if (observer.onDispatch)
             observer.onDispatch(totals_);
         if (observer.shouldStop && observer.shouldStop())

@@ -14,6 +14,9 @@ vec3 greater(vec3 a, vec3 b) {
     return vec3(greater(a.x, b.x), greater(a.y, b.y), greater(a.z, b.z));
 }
 
+vec4 lesser(vec4 a, vec4 b) { return vec4(lesser(a.xy, b.xy), lesser(a.zw, b.zw)); }
+vec4 greater(vec4 a, vec4 b) { return vec4(greater(a.xy, b.xy), greater(a.zw, b.zw)); }
+
 /// Of a vector's components.
 float least(vec3 v) { return lesser(lesser(v.x, v.y), v.z); }
 float greatest(vec3 v) { return greater(greater(v.x, v.y), v.z); }

@@ -41,17 +41,23 @@ LightSample sampleDirectLight(Light light, vec3 origin, vec2 u) {
     return LightSample(ray, point.wi, radiance, point.pdf);
 }
 
+/// Light on its way from one point on one emitter.
+struct DirectLight {
+    Ray ray;       ///< from the surface to the emitter
+    uint target;   ///< the emitter's primitive, which does not stand in its own way
+    vec3 radiance; ///< reflected towards the viewer if nothing stands in the way; 0 for no light
+};
+
 /// Light from one point on one emitter, reflected towards the viewer.
-vec3 directLight(Bsdf bsdf, vec3 origin, vec4 u, uint lightCount, inout PathCost cost) {
+DirectLight directLight(Bsdf bsdf, vec3 origin, vec4 u, uint lightCount) {
     Light light = loadLight(chooseLight(lightCount, u.xy));
     LightSample arriving = sampleDirectLight(light, origin, u.zw);
     BsdfValue reflection = evaluateBsdf(bsdf, arriving.wi);
     vec3 radiance = reflection.value * arriving.radiance;
     float pdf = arriving.pdf * light.selectionProbability;
-    if (pdf <= 0.0 || greatest(radiance) <= 0.0)
-        return vec3(0.0);
-    float share = transmittance(arriving.ray, light.primitive, cost);
-    return radiance * (share * misWeight(pdf, reflection.pdf) / pdf);
+    bool isLit = pdf > 0.0 && greatest(radiance) > 0.0;
+    float weight = isLit ? misWeight(pdf, reflection.pdf) / pdf : 0.0;
+    return DirectLight(arriving.ray, light.primitive, isLit ? radiance * weight : vec3(0.0));
 }
 
 #endif

@@ -9,12 +9,18 @@
 
 struct Path {
     SampleId id;
-    Ray ray;         ///< unit direction
-    vec3 vertex;     ///< where the last event sent the ray from; the ray may have gone on since
+    Ray ray;         ///< to be followed next; its direction is a unit vector
+    vec3 vertex;     ///< where the last event sent the path from; the ray may have gone on since
     vec3 throughput; ///< product of the weights so far
     vec3 radiance;   ///< found so far
     uint bounce;     ///< scattering events so far
-    float bsdfPdf;   ///< density per solid angle of the ray's direction, after an event
+    float bsdfPdf;   ///< density per solid angle of the path's direction, after an event
+
+    // While `ray` looks for what stands between the surface and a light:
+    bool isShadowed; ///< it does
+    uint target;     ///< the light's primitive, which the ray passes by; else kNone
+    vec3 arriving;   ///< what it finds if nothing stands there
+    vec3 direction;  ///< in which the path goes on from its vertex
 };
 
 struct PathLimits {
@@ -26,7 +32,8 @@ Path startPath(SampleId id, Camera camera, uvec2 imageSize) {
     vec4 u = uniformRandom(id, kDimensionCamera);
     vec2 filmPosition = vec2(id.pixel) + sampleFilm(camera, u.xy);
     Ray ray = cameraRay(camera, filmPosition, imageSize, u.zw);
-    return Path(id, ray, ray.origin, vec3(1.0), vec3(0.0), 0u, 0.0);
+    return Path(id, ray, ray.origin, vec3(1.0), vec3(0.0), 0u, 0.0, false, kNone, vec3(0.0),
+                vec3(0.0));
 }
 
 /// Weight of light found at the end of the path's ray. After a scattering event the same light
@@ -63,33 +70,62 @@ bool passesThrough(Path path, Interaction surface) {
     return passes;
 }
 
-/// Lights the surface and sends the path on. False where it ends.
-bool scatter(inout Path path, Interaction surface, PathLimits limits, inout PathCost cost) {
+/// The path goes on from its vertex. False where nothing that it could find would count.
+bool goOn(inout Path path) {
+    path.ray = Ray(path.vertex, kFar, path.direction);
+    path.isShadowed = false;
+    path.target = kNone;
+    return greatest(path.throughput) > 0.0;
+}
+
+/// Asks for light at the surface and scatters the path there. False where it ends.
+bool scatter(inout Path path, Interaction surface, PathLimits limits) {
     vec3 wo = -path.ray.direction;
     SurfaceParameters parameters = surfaceParameters(materialOf(surface), surface);
     Bsdf bsdf = makeBsdf(parameters, surface.ng, surface.ns, surface.horizon, wo);
     vec3 origin = offsetFromSurface(surface.position + surface.toSmooth, surface.error, bsdf.ng);
+    DirectLight light = DirectLight(path.ray, kNone, vec3(0.0));
     if (hasLights && !isSpecular(bsdf)) {
         vec4 uLight = uniformRandom(path.id, bounceDimension(path.bounce, kDimensionLight));
-        path.radiance +=
-            path.throughput * directLight(bsdf, origin, uLight, limits.lightCount, cost);
+        light = directLight(bsdf, origin, uLight, limits.lightCount);
     }
+    path.arriving = path.throughput * light.radiance;
     vec3 u = uniformRandom(path.id, bounceDimension(path.bounce, kDimensionBsdf)).xyz;
     BsdfSample scattered = sampleBsdf(bsdf, u);
     path.throughput *= scattered.weight;
     path.vertex =
         scattered.crosses ? offsetFromSurface(surface.position, surface.error, -bsdf.ng) : origin;
-    path.ray = Ray(path.vertex, kFar, scattered.wi);
+    path.direction = scattered.wi;
     path.bsdfPdf = scattered.pdf;
     path.bounce++;
-    return greatest(path.throughput) > 0.0;
+    bool goesOn = goOn(path);
+    if (greatest(path.arriving) > 0.0) {
+        path.ray = light.ray;
+        path.isShadowed = true;
+        path.target = light.target;
+        goesOn = true;
+    }
+    return goesOn;
 }
 
-/// Follows the ray to the next surface, takes in the light there and scatters. False where the path
-/// ends.
-bool extendPath(inout Path path, PathLimits limits, inout PathCost cost) {
-    cost.rays++;
-    Hit hit = intersectClosest(path.ray, cost.iterations);
+/// Takes in what the ray to a light met, and goes on behind it or in the path's own direction.
+/// False where the path ends.
+bool reachLight(inout Path path, Hit hit) {
+    if (hasAlpha && hit.primitive != kNone && isTransparent(hit)) {
+        Interaction surface = interactionAt(hit, path.ray);
+        path.arriving *= 1.0 - alphaAt(materialOf(surface), surface.coordinates.uv);
+        path.ray = rayBeyond(surface, path.ray);
+        if (greatest(path.arriving) > 0.0)
+            return true;
+    }
+    path.radiance += hit.primitive == kNone ? path.arriving : vec3(0.0);
+    return goOn(path);
+}
+
+/// Takes in what the path's ray met, if anything, and sets its next ray. False where the path ends.
+bool extendPath(inout Path path, Hit hit, PathLimits limits) {
+    if (hasLights && path.isShadowed)
+        return reachLight(path, hit);
     if (hit.primitive == kNone) {
         if (hasBackground)
             path.radiance += path.throughput * backgroundLight(path, limits.lightCount);
@@ -104,7 +140,7 @@ bool extendPath(inout Path path, PathLimits limits, inout PathCost cost) {
         path.radiance += path.throughput * emittedLight(path, surface, loadLight(surface.light));
     if (path.bounce == limits.maxBounces)
         return false;
-    return scatter(path, surface, limits, cost);
+    return scatter(path, surface, limits);
 }
 
 #endif

@@ -20,9 +20,13 @@ layout(set = 0, binding = kBindingFilter) uniform usamplerBuffer filterRows;
 vec3 floats(uvec4 row) { return uintBitsToFloat(row.xyz); }
 
 BvhNode loadNode(uint index) {
-    uvec4 row0 = texelFetch(nodeRows, int(2u * index));
-    uvec4 row1 = texelFetch(nodeRows, int(2u * index + 1u));
-    return BvhNode(floats(row0), row0.w, floats(row1), row1.w);
+    uvec4 row0 = texelFetch(nodeRows, int(5u * index));
+    uvec4 row1 = texelFetch(nodeRows, int(5u * index + 1u));
+    uvec4 row2 = texelFetch(nodeRows, int(5u * index + 2u));
+    uvec4 row3 = texelFetch(nodeRows, int(5u * index + 3u));
+    uvec4 row4 = texelFetch(nodeRows, int(5u * index + 4u));
+    return BvhNode(floats(row0), row0.w, row1.x, row1.y, row1.z, row1.w, row2.xy, row2.zw, row3.xy,
+                   row3.zw, row4.xy, row4.zw);
 }
 
 Triangle loadTriangle(uint index) {

@@ -1,12 +1,4 @@
-// Through the flattened BVH: the closest hit, or whether there is any.
-//
-// A node's box is passed where the ray's intervals between its three pairs of planes overlap. Each
-// plane's parameter (b - o) * (1 / d) carries at most gamma_5 of relative error (difference,
-// reciprocal of at most 2.5 ULP, product); widening the far side by twice that keeps every box that
-// exact arithmetic would pass (Ize 2013, "Robust BVH Ray Traversal"). Components of the direction
-// below 1e-18 are replaced before the reciprocal, so axis-parallel rays meet no NaN and no
-// infinity; such a ray exactly in a box's face counts as inside on the lower side only, so of two
-// boxes that share the face it enters one.
+// Through the BVH: the closest hit, or whether there is any.
 #ifndef CALOTYPE_SCENE_TRAVERSAL_GLSL
 #define CALOTYPE_SCENE_TRAVERSAL_GLSL
 
@@ -14,6 +6,7 @@
 #include "core/select.glsl"
 #include "scene/buffers.glsl"
 #include "scene/features.glsl"
+#include "scene/wide_node.glsl"
 #include "shapes/quadric.glsl"
 #include "shapes/triangle.glsl"
 #include "shared/limits.h"
@@ -23,22 +16,6 @@ struct Hit {
     uint primitive; ///< as kQuadricBit says; kNone for no hit
     uint material;  ///< index, with kTransparentBit
 };
-
-struct NodeRay {
-    vec3 origin;
-    vec3 inverse;
-};
-
-const float kFarWidening = 1.0 + 2.0 * GAMMA(5.0);
-
-/// Parameter at which the ray enters the node's box, or kFar if it misses it before tMax.
-float enterNode(NodeRay ray, BvhNode node, float tMax) {
-    vec3 toLower = (node.lower - ray.origin) * ray.inverse;
-    vec3 toUpper = (node.upper - ray.origin) * ray.inverse;
-    float enter = greater(greatest(lesser(toLower, toUpper)), 0.0);
-    float leave = lesser(least(greater(toLower, toUpper)) * kFarWidening, tMax);
-    return enter <= leave ? enter : kFar;
-}
 
 /// The ray's crossing with one primitive; t is kFar where there is none.
 Hit intersectPrimitive(uint primitive, Ray ray, ShearedRay sheared) {
@@ -55,63 +32,114 @@ Hit intersectPrimitive(uint primitive, Ray ray, ShearedRay sheared) {
 /// True where the hit may let light through.
 bool isTransparent(Hit hit) { return hasAlpha && (hit.material & kTransparentBit) != 0u; }
 
-// What is left to visit is kept in one word: a node's `first` with `count` in the bits that neither
-// indices nor kQuadricBit use, so that taking it up again costs no fetch. kNone is the end.
-const uint kCountShift = 28u;
-const uint kCountMask = 7u << kCountShift;
+/// A ray on its way through the tree, but for what it has put aside on a stack of its own.
+struct Traversal {
+    NodeRay boxRay;
+    ShearedRay sheared;
+    Hit hit;                   ///< the nearest so far
+    NodeGroup nodes;           ///< to visit next
+    PrimitiveGroup primitives; ///< to test next
+    PrimitiveGroup postponed;  ///< to test after these, if the ray went on among nodes meanwhile
+    uint skipped;              ///< the primitive that is never hit, or kNone
+    bool anyHit;               ///< any opaque hit will do
+};
 
-uint contentsOf(BvhNode node) { return node.first | (node.count << kCountShift); }
+Traversal startTraversal(Ray ray, bool anyHit, uint skipped) {
+    return Traversal(nodeRay(ray.origin, ray.direction), shearedRay(ray.origin, ray.direction),
+                     Hit(ray.tMax, kNone, 0u), rootGroup(), kNoPrimitives, kNoPrimitives, skipped,
+                     anyHit);
+}
 
-/// Walks the tree: down to a leaf, nearer child first, then through the leaf's primitives, then on
-/// with what was put aside last. `anyHit` ends at the first opaque hit; `skipped` is never hit.
+/// A ray that has nowhere to go.
+Traversal noTraversal() {
+    Traversal traversal = startTraversal(Ray(vec3(0.0), 0.0, vec3(1.0)), false, kNone);
+    traversal.nodes.children = 0u;
+    return traversal;
+}
+
+/// Among nodes while no leaf has to be tested first.
+bool isAmongNodes(Traversal traversal) {
+    return hasNodes(traversal.nodes) && !hasPrimitives(traversal.postponed);
+}
+
+bool isUnderWay(Traversal traversal) {
+    return hasNodes(traversal.nodes) || hasPrimitives(traversal.primitives);
+}
+
+NodeGroup nodesMet(BvhNode node, ChildrenMet met) {
+    return NodeGroup(node.firstNode, met.nodes | node.nodesAndExponents >> 24u);
+}
+
+PrimitiveGroup primitivesMet(BvhNode node, ChildrenMet met) {
+    return PrimitiveGroup(met.primitives, node.primitives, node.firstTriangle, node.firstQuadric);
+}
+
+/// To be tested next, or after those that are.
+void addPrimitives(inout Traversal traversal, PrimitiveGroup found) {
+    bool isBusy = hasPrimitives(traversal.primitives);
+    traversal.postponed = pick(isBusy, found, traversal.postponed);
+    traversal.primitives = pick(isBusy, traversal.primitives, found);
+}
+
+/// Tests the next primitive, if there is one.
+void testPrimitive(inout Traversal traversal, Ray ray) {
+    bool isActive = hasPrimitives(traversal.primitives);
+    uint primitive = takePrimitive(traversal.primitives);
+    Hit crossing = intersectPrimitive(isActive ? primitive : 0u, ray, traversal.sheared);
+    bool isNearest = isActive && crossing.t < traversal.hit.t && primitive != traversal.skipped;
+    traversal.hit.t = isNearest ? crossing.t : traversal.hit.t;
+    traversal.hit.primitive = isNearest ? primitive : traversal.hit.primitive;
+    traversal.hit.material = isNearest ? crossing.material : traversal.hit.material;
+}
+
+/// Whether nothing that is left could matter.
+bool isSettled(Traversal traversal) {
+    return traversal.anyHit && traversal.hit.primitive != kNone && !isTransparent(traversal.hit);
+}
+
+/// After a test: what was postponed is next, and nothing where the ray is settled.
+void takePostponed(inout Traversal traversal) {
+    bool isDone = !hasPrimitives(traversal.primitives);
+    traversal.primitives = pick(isDone, traversal.postponed, traversal.primitives);
+    traversal.postponed.left = isDone ? 0u : traversal.postponed.left;
+    if (isSettled(traversal)) {
+        traversal.nodes.children = 0u;
+        traversal.primitives.left = 0u;
+        traversal.postponed.left = 0u;
+    }
+}
+
+/// Walks the tree: down to leaves, nearer children first, through their primitives, and on with
+/// what was put aside last. `anyHit` ends at the first opaque hit; `skipped` is never hit.
 ///
 /// `iterations` counts what llvmpipe has a limit on: the passes through loop bodies, and the last
 /// look at a loop's condition, of the subgroup as a whole; hence the maxima after each loop. Both
 /// sides of an `if` are paid for there, so choices are written as selections.
 Hit traverse(Ray ray, bool anyHit, uint skipped, inout uint iterations) {
-    NodeRay nodeRay = NodeRay(ray.origin, safeReciprocal(ray.direction));
-    ShearedRay sheared = shearedRay(ray.origin, ray.direction);
-    Hit hit = Hit(ray.tMax, kNone, 0u);
-    uint stack[kMaxBvhDepth + 2u]; // the end, one a level, and one beyond that is read in vain
-    stack[0] = kNone;
-    uint stackSize = 1u;
-    uint contents = contentsOf(loadNode(0u));
+    Traversal traversal = startTraversal(ray, anyHit, skipped);
+    NodeGroup stack[kMaxBvhDepth + 1u];
+    uint stackSize = 0u;
+    bool goesOn;
     do {
-        while ((contents & kCountMask) == 0u) {
-            BvhNode left = loadNode(contents);
-            BvhNode right = loadNode(contents + 1u);
-            float enterLeft = enterNode(nodeRay, left, hit.t);
-            float enterRight = enterNode(nodeRay, right, hit.t);
-            bool leftFirst = enterLeft <= enterRight;
-            uint nearer = contentsOf(leftFirst ? left : right);
-            uint farther = contentsOf(leftFirst ? right : left);
-            stack[stackSize] = farther;
-            stackSize += greater(enterLeft, enterRight) < kFar ? 1u : 0u;
-            bool missed = lesser(enterLeft, enterRight) == kFar;
-            stackSize -= missed ? 1u : 0u;
-            uint aside = stack[stackSize];
-            contents = missed ? aside : nearer;
-            iterations++;
-        }
-        iterations = subgroupMax(iterations) + 1u;
-        uint count = contents == kNone ? 0u : (contents & kCountMask) >> kCountShift;
-        uint first = contents & ~kCountMask;
-        for (uint i = 0u; i < count; ++i) {
-            Hit crossing = intersectPrimitive(first + i, ray, sheared);
-            bool nearest = crossing.t < hit.t && crossing.primitive != skipped;
-            hit.t = nearest ? crossing.t : hit.t;
-            hit.primitive = nearest ? crossing.primitive : hit.primitive;
-            hit.material = nearest ? crossing.material : hit.material;
+        uint index = takeNode(traversal.nodes, traversal.boxRay.octant);
+        stack[stackSize] = traversal.nodes;
+        stackSize += hasNodes(traversal.nodes) ? 1u : 0u;
+        BvhNode node = loadNode(index);
+        ChildrenMet met = meetNode(traversal.boxRay, node, traversal.hit.t);
+        traversal.nodes = nodesMet(node, met);
+        traversal.primitives = primitivesMet(node, met);
+        while (hasPrimitives(traversal.primitives)) {
+            testPrimitive(traversal, ray);
             iterations++;
         }
         iterations = subgroupMax(iterations) + 2u;
-        bool isEnough = anyHit && hit.primitive != kNone && !isTransparent(hit);
-        bool ended = contents == kNone || isEnough;
-        stackSize -= ended ? 0u : 1u;
-        contents = ended ? kNone : stack[stackSize];
-    } while (contents != kNone);
+        bool goesBack = !hasNodes(traversal.nodes) && stackSize > 0u;
+        stackSize -= goesBack ? 1u : 0u;
+        traversal.nodes = pick(goesBack, stack[stackSize], traversal.nodes);
+        goesOn = hasNodes(traversal.nodes) && !isSettled(traversal);
+    } while (goesOn);
     iterations = subgroupMax(iterations);
-    return hit;
+    return traversal.hit;
 }
 
 Hit intersectClosest(Ray ray, inout uint iterations) {

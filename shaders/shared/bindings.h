@@ -24,6 +24,8 @@ CALOTYPE_CONSTANT uint kBindingBlock = 11;    ///< storage image
 CALOTYPE_CONSTANT uint kBindingCounters = 12; ///< storage buffer
 /// Storage buffer of one FirstHitRecord per pixel of the dispatch's tiles.
 CALOTYPE_CONSTANT uint kBindingFirstHits = 13;
+/// Storage buffer of one ParkedPath per lane of every tile.
+CALOTYPE_CONSTANT uint kBindingParkedPaths = 14;
 
 // Scene features: what the kernel is specialised for. All default to true.
 CALOTYPE_CONSTANT uint kFeatureTriangles = 0;
@@ -55,6 +57,13 @@ CALOTYPE_CONSTANT uint kFeatureFilter = 25; ///< any but the box
 CALOTYPE_CONSTANT uint kFeatureLens = 26;
 CALOTYPE_CONSTANT uint kFeatureOrthographic = 27;
 CALOTYPE_CONSTANT uint kFeatureCount = 28;
+
+// Specialization constants that suit the kernel to a device.
+CALOTYPE_CONSTANT uint kConstantSubgroupSize = 28; ///< of a workgroup, which is one subgroup
+CALOTYPE_CONSTANT uint kConstantNodeEighths = 29;
+CALOTYPE_CONSTANT uint kConstantPrimitiveEighths = 30;
+CALOTYPE_CONSTANT uint kConstantPathEighths = 31;
+CALOTYPE_CONSTANT uint kConstantCount = 32;
 
 CALOTYPE_END_SHARED
 

@@ -10,13 +10,10 @@ CALOTYPE_BEGIN_SHARED
 CALOTYPE_CONSTANT uint kSamplesPerBlock = 16;
 
 /// Pixels on a side of the square tile that one workgroup owns.
-CALOTYPE_CONSTANT uint kTileSize = 8;
+CALOTYPE_CONSTANT uint kTileSize = 16;
 
 /// Deepest node of a BVH below its root, which bounds the traversal stack.
 CALOTYPE_CONSTANT uint kMaxBvhDepth = 32;
-
-/// Primitives in a leaf, at most.
-CALOTYPE_CONSTANT uint kMaxLeafPrimitives = 4;
 
 /// Steps of the table of the film filter's quantiles.
 CALOTYPE_CONSTANT uint kFilterSteps = 1023;

@@ -20,8 +20,8 @@ struct RenderParameters {
     uint seed;
     uint maxBounces;
     uint lightCount;
-    uint iterationsBeforePause; ///< loop iterations after which a pixel takes up no new sample
-    uint iterationsBeforeCut;   ///< and after which a path is ended, and counted
+    uint iterationBudget; ///< loop iterations after which a subgroup puts its paths down
+    uint pad0;
 };
 
 /// Sums over one dispatch, added to atomically, once per subgroup.
@@ -29,12 +29,34 @@ struct RenderCounters {
     uint rays;
     uint paths;
     uint nonFiniteSamples; ///< samples that came out NaN or infinite and were added as zero
-    uint cutPaths;         ///< paths ended by the loop budget: their image is too dark
-    uint unfinishedPixels; ///< pixels that ran out of loop budget before `sampleEnd`
+    uint cutPaths;         ///< paths of a ray that takes a whole budget: their image is too dark
+    uint unfinishedPixels; ///< pixels put down before `sampleEnd`, for the next dispatch
     uint pad0;
     uint pad1;
     uint pad2;
 };
+
+/// Where a subgroup put a lane's work down, one record a lane and tile.
+struct ParkedPath {
+    vec3 rayOrigin;
+    float rayTMax;
+    vec3 rayDirection;
+    uint target;
+    vec3 vertex;
+    uint bounce;
+    vec3 throughput;
+    float bsdfPdf;
+    vec3 radiance;
+    uint state; ///< kLaneHasPixel and the others below
+    vec3 arriving;
+    uint item; ///< the lane's pixel, in the order of the tile
+    vec3 direction;
+    uint nextItem; ///< the tile's next pixel; 0 where the tile is to be begun anew
+};
+
+CALOTYPE_CONSTANT uint kLaneHasPixel = 1u;
+CALOTYPE_CONSTANT uint kLaneHasPath = 2u;
+CALOTYPE_CONSTANT uint kLaneIsShadowed = 4u;
 
 /// Push constants. A dispatch finds the first hits of the pixels of a run of tiles.
 struct FirstHitParameters {
@@ -64,6 +86,7 @@ CALOTYPE_END_SHARED
 namespace calotype::gpu {
 static_assert(sizeof(RenderParameters) == 64);
 static_assert(sizeof(RenderCounters) == 32);
+static_assert(sizeof(ParkedPath) == 112);
 static_assert(sizeof(FirstHitParameters) == 32);
 static_assert(sizeof(FirstHitRecord) == 64);
 } // namespace calotype::gpu

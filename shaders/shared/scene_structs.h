@@ -17,13 +17,26 @@ CALOTYPE_CONSTANT uint kQuadricBit = 0x80000000u;
 /// In a primitive's `material`: light may pass through it.
 CALOTYPE_CONSTANT uint kTransparentBit = 0x80000000u;
 
-/// Inner node: children at `first` and `first + 1`, `count` is 0. Leaf: `count` primitives named
-/// `first`, `first + 1`, ..., all triangles or all quadrics.
+/// Up to eight children, whose boxes lie on a grid over the node's own: cell boundaries are at
+/// origin + k * size, k from 0 to 255, size a power of two. Children that are nodes follow each
+/// other from `firstNode` on, triangles of leaves from `firstTriangle` on and quadrics from
+/// `firstQuadric` on, each in the order of the children. Of each child and side there is a byte,
+/// the first child's lowest.
 struct BvhNode {
-    vec3 lower;
-    uint first;
-    vec3 upper;
-    uint count;
+    vec3 origin;
+    uint nodesAndExponents; ///< bytes: exponents of size.xyz as a float's, and a bit for each child
+                            ///< that is a node
+    uint firstNode;
+    uint firstTriangle;
+    uint firstQuadric;
+    uint primitives; ///< three bits a child, as many set as it has primitives; in the highest byte,
+                     ///< a bit for each child whose primitives are quadrics
+    uvec2 lowerX;
+    uvec2 upperX;
+    uvec2 lowerY;
+    uvec2 upperY;
+    uvec2 lowerZ;
+    uvec2 upperZ;
 };
 
 /// The corners are bit-identical where triangles share them: watertightness rests on it.
@@ -171,7 +184,7 @@ CALOTYPE_END_SHARED
 
 #ifdef __cplusplus
 namespace calotype::gpu {
-static_assert(sizeof(BvhNode) == 32);
+static_assert(sizeof(BvhNode) == 80);
 static_assert(sizeof(Triangle) == 48);
 static_assert(sizeof(TriangleNormals) == 48);
 static_assert(sizeof(TriangleUvs) == 32);

@@ -22,17 +22,6 @@ TEST_F(InfoTest, InfoAppliesOverrides) {
     EXPECT_NE(result.errors.find("/shapes/1"), std::string::npos) << result.errors;
 }
 
-// On a CPU, which has a limit on loops.
-TEST_F(InfoTest, InfoWarnsOfPathsLongerThanTheLoopLimit) {
-    const std::string fragment = "max_bounces is 100000, but paths of more than about ";
-    const auto errorsAt = [&](const std::string& bounces) {
-        return runProgram({"info", scene_, "--set", "/render/max_bounces=" + bounces}).errors;
-    };
-    const bool isCpu = runProgram({"devices"}).output.find("CPU") != std::string::npos;
-    EXPECT_EQ(errorsAt("100000").find(fragment) != std::string::npos, isCpu);
-    EXPECT_EQ(errorsAt("100"), "");
-}
-
 TEST_F(InfoTest, DevicesSayWhichIsTakenAndWhy) {
     const ProgramResult result = runProgram({"devices"});
     EXPECT_EQ(result.exitCode, 0) << result.errors;

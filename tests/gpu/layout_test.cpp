@@ -62,6 +62,8 @@ TEST_F(Layout, IsTheSameInHostAndKernel) {
     parameters.firstHit = distinct.make<gpu::FirstHitParameters>();
     const std::array records = {gpu::FirstHitRecord{}, distinct.make<gpu::FirstHitRecord>()};
 
+    const std::array parked = {gpu::ParkedPath{}, distinct.make<gpu::ParkedPath>()};
+
     const Device& device = testDevice();
     const SceneBuffers buffers(device, scene);
     const Buffer cameraBuffer = uploadBuffer(device, std::as_bytes(std::span(&camera, 1)),
@@ -71,12 +73,16 @@ TEST_F(Layout, IsTheSameInHostAndKernel) {
     const Buffer recordsBuffer =
         uploadBuffer(device, std::as_bytes(std::span(records)),
                      vk::BufferUsageFlagBits::eStorageBuffer, "first hits");
+    const Buffer parkedBuffer =
+        uploadBuffer(device, std::as_bytes(std::span(parked)),
+                     vk::BufferUsageFlagBits::eStorageBuffer, "parked paths");
     const Buffer echo(device, distinct.words().size() * sizeof(uint32_t),
                       vk::BufferUsageFlagBits::eStorageBuffer, Buffer::Memory::Host, "echo");
     std::vector<Binding> bindings = buffers.bindings();
     bindings.push_back(Binding::uniformBuffer(gpu::kBindingCamera, cameraBuffer));
     bindings.push_back(Binding::storageBuffer(gpu::kBindingCounters, countersBuffer));
     bindings.push_back(Binding::storageBuffer(gpu::kBindingFirstHits, recordsBuffer));
+    bindings.push_back(Binding::storageBuffer(gpu::kBindingParkedPaths, parkedBuffer));
     bindings.push_back(Binding::storageBuffer(gpu::kBindingTestOutputs, echo));
     const ComputePipeline pipeline(device, {.name = "layout echo",
                                             .spirv = kLayoutEchoSpirv,

@@ -4,7 +4,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "accel/median_split.h"
+#include "accel/build_bvh.h"
 #include "image/judged_scenes.h"
 #include "render/first_hit_pass.h"
 #include "render/reference_first_hits.h"
@@ -19,7 +19,7 @@ FirstHitImage deviceFirstHits(const Scene& scene, const RenderSettings& settings
     const glm::dvec3 origin = packingOrigin(scene);
     const auto primitives = collectPrimitives(scene, origin);
     const GpuScene packed =
-        packScene(scene, primitives, buildMedianSplit(primitives), origin,
+        packScene(scene, primitives, buildBvh(primitives), origin,
                   static_cast<double>(settings.width) / settings.height, PackedUvs::All);
     const SceneBuffers buffers(testDevice(), packed);
     return FirstHitPass(testDevice(), packed, buffers, packed.features, settings).run();

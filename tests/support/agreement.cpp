@@ -14,6 +14,8 @@
 namespace calotype::test {
 namespace {
 
+constexpr uint32_t kJudgedTile = 8; ///< pixels on a side
+
 std::vector<double> channelOf(const TileMeans& means, size_t tile, int channel) {
     std::vector<double> values;
     for (size_t block = 0; block < means.blocks(); ++block)
@@ -89,18 +91,18 @@ glm::dvec3 TileMeans::whole(size_t block) const {
 }
 
 TileMeans renderTileMeans(BlockTracer& tracer, uint32_t width, uint32_t height, size_t blocks) {
-    CALOTYPE_CHECK_EQ(width % gpu::kTileSize, 0u);
-    CALOTYPE_CHECK_EQ(height % gpu::kTileSize, 0u);
-    const uint32_t tilesAcross = width / gpu::kTileSize;
-    TileMeans means(size_t{tilesAcross} * (height / gpu::kTileSize), blocks);
-    constexpr double kShare = 1.0 / (gpu::kTileSize * gpu::kTileSize * gpu::kSamplesPerBlock);
+    CALOTYPE_CHECK_EQ(width % kJudgedTile, 0u);
+    CALOTYPE_CHECK_EQ(height % kJudgedTile, 0u);
+    const uint32_t tilesAcross = width / kJudgedTile;
+    TileMeans means(size_t{tilesAcross} * (height / kJudgedTile), blocks);
+    constexpr double kShare = 1.0 / (kJudgedTile * kJudgedTile * gpu::kSamplesPerBlock);
     for (size_t block = 0; block < blocks; ++block) {
         tracer.beginBlock(static_cast<uint32_t>(block * gpu::kSamplesPerBlock));
         renderWholeBlock(tracer);
         const std::span<const glm::vec4> sums = tracer.readBlock();
         for (uint32_t y = 0; y < height; ++y)
             for (uint32_t x = 0; x < width; ++x) {
-                const size_t tile = y / gpu::kTileSize * tilesAcross + x / gpu::kTileSize;
+                const size_t tile = y / kJudgedTile * tilesAcross + x / kJudgedTile;
                 means.at(block, tile) += kShare * glm::dvec3(sums[size_t{y} * width + x]);
             }
     }

@@ -1,6 +1,6 @@
 #include "support/device_tracer.h"
 
-#include "accel/median_split.h"
+#include "accel/build_bvh.h"
 #include "support/gpu_test.h"
 
 namespace calotype::test {
@@ -9,7 +9,7 @@ namespace {
 GpuScene pack(const Scene& scene, const RenderSettings& settings) {
     const glm::dvec3 origin = packingOrigin(scene);
     const auto primitives = collectPrimitives(scene, origin);
-    return packScene(scene, primitives, buildMedianSplit(primitives), origin,
+    return packScene(scene, primitives, buildBvh(primitives), origin,
                      static_cast<double>(settings.width) / settings.height);
 }
 

@@ -3,7 +3,7 @@
 #include <functional>
 #include <optional>
 
-#include "accel/median_split.h"
+#include "accel/build_bvh.h"
 #include "render/first_hit_pass.h"
 #include "scene/scene.h"
 #include "support/gpu_test.h"
@@ -31,7 +31,7 @@ inline FirstHits firstHitsOf(const Scene& scene, const FirstHitWish& wish = {}) 
     settings.crop = wish.crop.value_or(Crop{0, 0, settings.width, settings.height});
     const glm::dvec3 origin = packingOrigin(scene);
     const auto primitives = collectPrimitives(scene, origin);
-    const Bvh bvh = buildMedianSplit(primitives);
+    const Bvh bvh = buildBvh(primitives);
     FirstHits result;
     result.packed =
         packScene(scene, primitives, bvh, origin,

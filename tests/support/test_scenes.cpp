@@ -5,7 +5,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "accel/median_split.h"
+#include "accel/build_bvh.h"
 
 namespace calotype::test {
 namespace {
@@ -125,7 +125,7 @@ PackedScene packAsProgram(const Scene& scene) {
     const glm::dvec3 origin = packingOrigin(scene);
     PackedScene result;
     result.primitives = collectPrimitives(scene, origin);
-    result.bvh = buildMedianSplit(result.primitives);
+    result.bvh = buildBvh(result.primitives);
     result.packed = packScene(scene, result.primitives, result.bvh, origin, 1.0);
     return result;
 }

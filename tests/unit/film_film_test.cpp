@@ -23,9 +23,7 @@ Block uniformBlock(size_t pixels, const glm::vec3& sum) {
     return Block(pixels, glm::vec4(sum, kWhole));
 }
 
-std::vector<Film::Sum> sumsOf(const Film& film) {
-    return {film.sums().begin(), film.sums().end()};
-}
+std::vector<Film::Sum> sumsOf(const Film& film) { return {film.sums().begin(), film.sums().end()}; }
 
 TEST(FilmUnit, IsTheLeastPowerOfTwoThatReachesTheLight) {
     EXPECT_EQ(filmUnit(0.0), 1.0);

@@ -1,3 +1,4 @@
+#include <bit>
 #include <memory>
 #include <numbers>
 #include <set>
@@ -134,7 +135,7 @@ TEST(PackScene, LinksLightsAndPrimitivesBothWays) {
         EXPECT_EQ(quadric.light == gpu::kNone, quadric.id == 1);
 }
 
-TEST(PackScene, NamesInItsLeavesAreRangesOfOneArray) {
+TEST(PackScene, ItsNodesShareOutThePrimitivesInTheirOrder) {
     std::vector<Shape> shapes;
     for (int i = 0; i < 100; ++i) {
         shapes.push_back(shapeOf(Sphere{{glm::dmat3(1.0), {double(i), 0.0, 0.0}}, 0.4}));
@@ -142,20 +143,20 @@ TEST(PackScene, NamesInItsLeavesAreRangesOfOneArray) {
             shapeOf(singleTriangle({double(i), 0, 0}, {i + 0.5, 1, 0}, {i + 0.5, 0, 1})));
     }
     const GpuScene scene = packed(shapes);
-    std::set<uint32_t> named;
+    size_t triangles = 0;
+    size_t quadrics = 0;
     for (const gpu::BvhNode& node : scene.nodes) {
-        for (uint32_t i = 0; i < node.count; ++i) {
-            const uint32_t name = node.first + i;
-            EXPECT_TRUE(named.insert(name).second);
-            const bool isQuadric = name & gpu::kQuadricBit;
-            ASSERT_LT(name & ~gpu::kQuadricBit,
-                      isQuadric ? scene.quadrics.size() : scene.triangles.size());
-            const glm::vec3 point = isQuadric ? scene.quadrics[name & ~gpu::kQuadricBit].center
-                                              : scene.triangles[name].v0;
-            EXPECT_EQ(glm::clamp(point, node.lower, node.upper), point);
+        EXPECT_EQ(node.firstTriangle, triangles);
+        EXPECT_EQ(node.firstQuadric, quadrics);
+        for (uint32_t child = 0; child < 8; ++child) {
+            const bool isQuadrics = (node.primitives >> (24 + child) & 1u) != 0;
+            (isQuadrics ? quadrics : triangles) +=
+                static_cast<size_t>(std::popcount(node.primitives >> (3 * child) & 7u));
         }
     }
-    EXPECT_EQ(named.size(), shapes.size());
+    EXPECT_EQ(triangles, scene.triangles.size());
+    EXPECT_EQ(quadrics, scene.quadrics.size());
+    EXPECT_EQ(triangles + quadrics, shapes.size());
 }
 
 TEST(PackScene, CarriesMaterialsAndTheCamera) {
@@ -191,7 +192,7 @@ TEST(PackScene, OfNothingHasArraysAllTheSame) {
     const GpuScene scene = packed({});
     EXPECT_EQ(scene.lightCount, 0u);
     ASSERT_EQ(scene.nodes.size(), 1u);
-    EXPECT_EQ(scene.nodes[0].count, 1u);
+    EXPECT_EQ(scene.nodes[0].primitives, 0u);
     EXPECT_EQ(scene.triangles.size(), 1u);
     EXPECT_EQ(scene.quadrics.size(), 1u);
     EXPECT_EQ(scene.lights.size(), 1u);

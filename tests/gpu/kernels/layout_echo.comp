@@ -19,6 +19,9 @@ layout(set = 0, binding = kBindingCounters) readonly buffer CountersBlock {
 layout(set = 0, binding = kBindingFirstHits) readonly buffer FirstHits {
     FirstHitRecord records[];
 };
+layout(set = 0, binding = kBindingParkedPaths) readonly buffer ParkedPaths {
+    ParkedPath parkedPaths[];
+};
 layout(set = 0, binding = kBindingTestOutputs) writeonly buffer Outputs { uint words[]; };
 
 uint count = 0u;
@@ -151,8 +154,8 @@ void putParameters() {
     put(p.seed);
     put(p.maxBounces);
     put(p.lightCount);
-    put(p.iterationsBeforePause);
-    put(p.iterationsBeforeCut);
+    put(p.iterationBudget);
+    put(p.pad0);
 }
 
 void putCounters() {
@@ -185,12 +188,38 @@ void putFirstHit() {
     put(r.pad1);
 }
 
+void putParkedPath() {
+    ParkedPath p = parkedPaths[1];
+    put(p.rayOrigin);
+    put(p.rayTMax);
+    put(p.rayDirection);
+    put(p.target);
+    put(p.vertex);
+    put(p.bounce);
+    put(p.throughput);
+    put(p.bsdfPdf);
+    put(p.radiance);
+    put(p.state);
+    put(p.arriving);
+    put(p.item);
+    put(p.direction);
+    put(p.nextItem);
+}
+
 void main() {
     BvhNode node = loadNode(1u);
-    put(node.lower);
-    put(node.first);
-    put(node.upper);
-    put(node.count);
+    put(node.origin);
+    put(node.nodesAndExponents);
+    put(node.firstNode);
+    put(node.firstTriangle);
+    put(node.firstQuadric);
+    put(node.primitives);
+    put(node.lowerX);
+    put(node.upperX);
+    put(node.lowerY);
+    put(node.upperY);
+    put(node.lowerZ);
+    put(node.upperZ);
     putTriangles();
     putQuadric();
     putMaterial();
@@ -201,4 +230,5 @@ void main() {
     putParameters();
     putCounters();
     putFirstHit();
+    putParkedPath();
 }

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "math/bounds.h"
+
+namespace calotype {
+
+/// A binary tree of boxes with one primitive in each leaf: what builders make, and collapse makes
+/// wide. Nodes lie depth first, so that a tree over n primitives has 2 n - 1 nodes and each has its
+/// place before it is made, whichever thread makes it.
+struct BinaryTree {
+    struct Node {
+        Bounds3f bounds;
+        uint32_t first = 0; ///< index into `order` of the primitives below
+        uint32_t count = 0; ///< of them
+
+        bool isLeaf() const { return count == 1; }
+    };
+    std::vector<Node> nodes;     ///< empty for an empty scene
+    std::vector<uint32_t> order; ///< numbers of the primitives, leaf after leaf
+
+    static uint32_t leftOf(uint32_t node) { return node + 1; }
+    uint32_t rightOf(uint32_t node) const { return node + 2 * nodes[node + 1].count; }
+};
+
+} // namespace calotype

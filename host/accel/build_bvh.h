@@ -1,0 +1,18 @@
+#pragma once
+
+#include "accel/binary_tree_builder.h"
+#include "accel/bvh.h"
+
+namespace calotype {
+
+enum class BvhBuilder : uint8_t {
+    Median, ///< the report's: halves of equal count; quick to build
+    Sah,    ///< by the surface area heuristic; quick to traverse
+};
+
+/// Splits, then joins to nodes of up to eight children, no deeper than kMaxBvhDepth. Deterministic,
+/// whatever the threads.
+Bvh buildBvh(std::span<const Primitive> primitives, BvhBuilder builder = BvhBuilder::Sah,
+             const BuildOptions& options = {});
+
+} // namespace calotype

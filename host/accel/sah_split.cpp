@@ -1,0 +1,165 @@
+#include "accel/sah_split.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+
+#include "accel/median_split.h"
+
+namespace calotype {
+namespace {
+
+constexpr size_t kBins = 32;
+constexpr size_t kMostToSweep = 8;
+/// Halving the rest from here on bounds the depth, at 48 + log2(primitives).
+constexpr uint32_t kDeepestSahSplit = 48;
+
+float halfAreaOf(const Bounds3f& bounds) {
+    const glm::vec3 e = bounds.extent();
+    return e.x * e.y + e.y * e.z + e.z * e.x;
+}
+
+struct Bin {
+    Bounds3f bounds;
+    uint32_t count = 0;
+
+    void add(const Bin& other) {
+        bounds.extend(other.bounds);
+        count += other.count;
+    }
+    float cost() const { return count > 0 ? halfAreaOf(bounds) * static_cast<float>(count) : 0.0f; }
+};
+
+/// Metres. Shorter rows of centres are not binned, lest the scale overflow.
+constexpr float kLeastExtent = 1e-30f;
+
+/// Where the doubled centre of a box lies between the least and the greatest of all.
+struct Binning {
+    explicit Binning(std::span<const BoxReference> references) {
+        Bounds3f centers;
+        for (const BoxReference& reference : references)
+            centers.extend(reference.doubledCenter());
+        lower = centers.lower;
+        for (int axis = 0; axis < 3; ++axis) {
+            const float extent = centers.upper[axis] - centers.lower[axis];
+            // Just below the number of bins, so that the greatest centre falls into the last.
+            scale[axis] = extent > kLeastExtent ? kBins * (1.0f - 0x1p-20f) / extent : 0.0f;
+        }
+    }
+
+    uint32_t binOf(const BoxReference& reference, int axis) const {
+        const float center = reference.lower[axis] + reference.upper[axis];
+        return static_cast<uint32_t>((center - lower[axis]) * scale[axis]);
+    }
+
+    glm::vec3 lower;
+    glm::vec3 scale; ///< bins per metre of doubled centres; 0 where all fall into the first
+};
+
+struct Plane {
+    int axis = 0;
+    uint32_t bins = 0; ///< on its left
+};
+
+/// The cheapest plane between bins along one axis, if it is cheaper than `leastCost`.
+void improve(const std::array<Bin, kBins>& bins, int axis, std::optional<Plane>& best,
+             float& leastCost) {
+    std::array<float, kBins> costOfRight;
+    Bin right;
+    for (size_t i = kBins - 1; i > 0; --i) {
+        right.add(bins[i]);
+        costOfRight[i] = right.count > 0 ? right.cost() : std::numeric_limits<float>::infinity();
+    }
+    Bin left;
+    for (uint32_t i = 1; i < kBins; ++i) {
+        left.add(bins[i - 1]);
+        const float cost = left.cost() + costOfRight[i];
+        if (left.count > 0 && cost < leastCost) {
+            leastCost = cost;
+            best = Plane{axis, i};
+        }
+    }
+}
+
+/// Partitions by the cheapest plane; 0 where all centres fall into one bin.
+size_t splitByBins(std::span<BoxReference> references) {
+    const Binning binning(references);
+    std::array<std::array<Bin, kBins>, 3> bins;
+    for (const BoxReference& reference : references)
+        for (int axis = 0; axis < 3; ++axis) {
+            Bin& bin = bins[axis][binning.binOf(reference, axis)];
+            bin.bounds.extend(reference.bounds());
+            ++bin.count;
+        }
+    std::optional<Plane> best;
+    float leastCost = std::numeric_limits<float>::infinity();
+    for (int axis = 0; axis < 3; ++axis)
+        improve(bins[axis], axis, best, leastCost);
+    if (!best)
+        return 0;
+    const auto middle =
+        std::partition(references.begin(), references.end(), [&](const BoxReference& reference) {
+            return binning.binOf(reference, best->axis) < best->bins;
+        });
+    return static_cast<size_t>(middle - references.begin());
+}
+
+void sortByCenter(std::span<BoxReference> references, int axis) {
+    std::ranges::sort(references, [axis](const BoxReference& a, const BoxReference& b) {
+        const float centerA = a.lower[axis] + a.upper[axis];
+        const float centerB = b.lower[axis] + b.upper[axis];
+        return centerA < centerB || (centerA == centerB && a.number < b.number);
+    });
+}
+
+/// Of a few references, the cheapest split of their order along any axis.
+size_t splitBySweep(std::span<BoxReference> references) {
+    const size_t count = references.size();
+    std::array<BoxReference, kMostToSweep> best;
+    size_t bestLeft = count / 2;
+    float leastCost = std::numeric_limits<float>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+        sortByCenter(references, axis);
+        std::array<float, kMostToSweep> costOfRight{};
+        Bin right;
+        for (size_t i = count - 1; i > 0; --i) {
+            right.add({references[i].bounds(), 1});
+            costOfRight[i] = right.cost();
+        }
+        Bin left;
+        bool isBest = axis == 0;
+        for (size_t i = 1; i < count; ++i) {
+            left.add({references[i - 1].bounds(), 1});
+            const float cost = left.cost() + costOfRight[i];
+            if (cost < leastCost) {
+                leastCost = cost;
+                bestLeft = i;
+                isBest = true;
+            }
+        }
+        if (isBest)
+            std::ranges::copy(references, best.begin());
+    }
+    std::copy_n(best.begin(), count, references.begin());
+    return leastCost > 0.0f ? bestLeft : count / 2; // boxes without area cost nothing anyhow
+}
+
+size_t split(std::span<BoxReference> references, uint32_t depth) {
+    if (references.size() == 2)
+        return 1;
+    if (depth > kDeepestSahSplit)
+        return splitByMedian(references);
+    if (references.size() <= kMostToSweep)
+        return splitBySweep(references);
+    const size_t left = splitByBins(references);
+    return left > 0 ? left : splitByMedian(references);
+}
+
+} // namespace
+
+BinaryTree buildSahSplit(std::span<const Primitive> primitives, const BuildOptions& options) {
+    return BinaryTreeBuilder(primitives, options, split).build();
+}
+
+} // namespace calotype

@@ -1,0 +1,74 @@
+// The rays of a subgroup, one a lane, on their way through the tree together.
+//
+// A lane is about one of three things: its ray is among nodes, among primitives, or through. All
+// lanes do the same at a time, so a loop goes on with one thing while enough of the lanes at work
+// are about it, and the others wait (Aila and Laine 2009, "Understanding the Efficiency of Ray
+// Traversal on GPUs").
+#ifndef CALOTYPE_KERNELS_LANE_RAYS_GLSL
+#define CALOTYPE_KERNELS_LANE_RAYS_GLSL
+
+#include "scene/traversal.glsl"
+
+layout(constant_id = kConstantNodeEighths) const uint kNodeEighths = 7u;
+layout(constant_id = kConstantPrimitiveEighths) const uint kPrimitiveEighths = 5u;
+layout(constant_id = kConstantPathEighths) const uint kPathEighths = 6u;
+
+/// What the lane's ray has put aside; variables of the whole kernel, as GLSL copies arguments.
+NodeGroup stack[kMaxBvhDepth + 2u];
+uint stackSize = 0u;
+
+/// Passes through any loop of the kernel, which llvmpipe has a limit on.
+struct IterationCount {
+    uint passes;
+    uint budget;
+};
+
+/// False where the dispatch is to end.
+bool countIteration(inout IterationCount count) { return ++count.passes < count.budget; }
+
+uint lanesWhere(bool condition) { return subgroupBallotBitCount(subgroupBallot(condition)); }
+
+bool areEnough(bool condition, uint eighths, uint lanesAtWork) {
+    return 8u * lanesWhere(condition) >= max(eighths * lanesAtWork, 1u);
+}
+
+/// Visits the lane's next node, if it is among nodes.
+void visitNode(inout Traversal traversal) {
+    bool visits = isAmongNodes(traversal);
+    NodeGroup rest = traversal.nodes;
+    uint index = takeNode(rest, traversal.boxRay.octant);
+    stack[stackSize] = rest; // beyond the top where nothing is left of it
+    uint size = stackSize + (hasNodes(rest) ? 1u : 0u);
+    BvhNode node = loadNode(visits ? index : 0u);
+    ChildrenMet met = meetNode(traversal.boxRay, node, traversal.hit.t);
+    bool goesBack = met.nodes == 0u && size > 0u;
+    size -= goesBack ? 1u : 0u;
+    NodeGroup aside = stack[size];
+    if (visits) {
+        stackSize = size;
+        traversal.nodes = pick(goesBack, aside, nodesMet(node, met));
+        addPrimitives(traversal, primitivesMet(node, met));
+    }
+}
+
+/// Follows the rays until too many of the `atWork` lanes have theirs through, or the iterations
+/// are used up: then false.
+bool followRays(inout Traversal traversal, Ray ray, uint atWork, inout IterationCount count) {
+    bool isInBudget = true;
+    do {
+        do {
+            visitNode(traversal);
+            isInBudget = countIteration(count);
+        } while (areEnough(isAmongNodes(traversal), kNodeEighths, atWork) && isInBudget);
+        do {
+            testPrimitive(traversal, ray);
+            takePostponed(traversal);
+            isInBudget = countIteration(count);
+        } while (areEnough(hasPrimitives(traversal.primitives), kPrimitiveEighths, atWork) &&
+                 isInBudget);
+        isInBudget = countIteration(count);
+    } while (areEnough(isUnderWay(traversal), kPathEighths, atWork) && isInBudget);
+    return isInBudget;
+}
+
+#endif
