@@ -2,11 +2,11 @@
 
 #include <functional>
 #include <span>
-#include <thread>
 
 #include "accel/binary_tree.h"
 #include "accel/primitive.h"
 #include "base/fork_join.h"
+#include "base/parallel_chunks.h"
 
 namespace calotype {
 
@@ -22,24 +22,26 @@ struct BoxReference {
 };
 
 struct BuildOptions {
-    uint32_t threads = std::max(1u, std::thread::hardware_concurrency());
+    uint32_t threads = allCores();
     /// Hears the share of primitives already in leaves; may throw to end it. Called by the thread
     /// that builds only.
     std::function<void(double)> onProgress = {};
 };
 
-/// Splits a range of primitives, then each part, on several threads. `split(references, depth)`
-/// puts those of two or more references that belong to the left child first and returns their
-/// number, at least 1 and less than all.
+/// Splits a range of primitives, then each part, on several threads. `split(references, depth,
+/// threads)` puts those of two or more references that belong to the left child first and returns
+/// their number, at least 1 and less than all; `threads` have nothing else to do meanwhile.
 template <typename Split>
 class BinaryTreeBuilder {
 public:
     BinaryTreeBuilder(std::span<const Primitive> primitives, const BuildOptions& options,
                       Split split)
         : options_(options), split_(split) {
-        references_.reserve(primitives.size());
-        for (uint32_t i = 0; i < primitives.size(); ++i)
-            references_.push_back({primitives[i].bounds.lower, i, primitives[i].bounds.upper, 0});
+        references_.resize(primitives.size());
+        parallelChunks(primitives.size(), options.threads, [&](uint64_t first, uint64_t last) {
+            for (auto i = static_cast<uint32_t>(first); i < last; ++i)
+                references_[i] = {primitives[i].bounds.lower, i, primitives[i].bounds.upper, 0};
+        });
     }
 
     BinaryTree build() {
@@ -71,7 +73,8 @@ private:
             tree_.order[node.first] = references[0].number;
             return;
         }
-        const auto leftCount = static_cast<uint32_t>(split_(references, depth));
+        const auto leftCount = static_cast<uint32_t>(
+            split_(references, depth, std::max(1u, options_.threads >> std::min(depth, 31u))));
         const uint32_t left = BinaryTree::leftOf(index);
         const uint32_t right = index + 2 * leftCount;
         const bool forks = isWorthForking(references.size(), depth);

@@ -10,6 +10,9 @@ enum class BvhBuilder : uint8_t {
     Sah,    ///< by the surface area heuristic; quick to traverse
 };
 
+/// The builder that gives the picture of `paths` paths soonest.
+BvhBuilder quickestBuilder(size_t primitives, uint64_t paths);
+
 /// Splits, then joins to nodes of up to eight children, no deeper than kMaxBvhDepth. Deterministic,
 /// whatever the threads.
 Bvh buildBvh(std::span<const Primitive> primitives, BvhBuilder builder = BvhBuilder::Sah,

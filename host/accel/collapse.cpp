@@ -139,10 +139,14 @@ std::array<uint32_t, Bvh::kSlots> childOfSlot(const BinaryTree& tree, const Boun
     std::array<uint32_t, Bvh::kSlots> childOf;
     childOf.fill(kNoChild);
     const glm::vec3 middle = bounds.lower + bounds.upper;
-    std::array<glm::vec3, Bvh::kSlots> offsets;
+    std::array<std::array<float, Bvh::kSlots>, Bvh::kSlots> distances; // of child and slot
     for (uint32_t i = 0; i < children.count; ++i) {
         const Bounds3f& box = tree.nodes[children.nodes[i]].bounds;
-        offsets[i] = box.lower + box.upper - middle;
+        const glm::vec3 offset = box.lower + box.upper - middle;
+        for (uint32_t slot = 0; slot < Bvh::kSlots; ++slot)
+            distances[i][slot] = (slot & 4 ? offset.x : -offset.x) +
+                                 (slot & 2 ? offset.y : -offset.y) +
+                                 (slot & 1 ? offset.z : -offset.z);
     }
     std::array<bool, Bvh::kSlots> isPlaced{};
     for (uint32_t placed = 0; placed < children.count; ++placed) {
@@ -152,13 +156,9 @@ std::array<uint32_t, Bvh::kSlots> childOfSlot(const BinaryTree& tree, const Boun
         for (uint32_t slot = 0; slot < Bvh::kSlots; ++slot) {
             if (childOf[slot] != kNoChild)
                 continue;
-            const glm::vec3 direction(slot & 4 ? 1.0f : -1.0f, slot & 2 ? 1.0f : -1.0f,
-                                      slot & 1 ? 1.0f : -1.0f);
             for (uint32_t i = 0; i < children.count; ++i) {
-                const glm::vec3 along = offsets[i] * direction;
-                const float distance = along.x + along.y + along.z;
-                if (!isPlaced[i] && distance > farthest) {
-                    farthest = distance;
+                if (!isPlaced[i] && distances[i][slot] > farthest) {
+                    farthest = distances[i][slot];
                     bestChild = i;
                     bestSlot = slot;
                 }

@@ -30,7 +30,7 @@ size_t splitByMedian(std::span<BoxReference> references) {
 }
 
 BinaryTree buildMedianSplit(std::span<const Primitive> primitives, const BuildOptions& options) {
-    const auto split = [](std::span<BoxReference> references, uint32_t) {
+    const auto split = [](std::span<BoxReference> references, uint32_t, uint32_t) {
         return splitByMedian(references);
     };
     return BinaryTreeBuilder(primitives, options, split).build();

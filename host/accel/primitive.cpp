@@ -1,11 +1,13 @@
 #include "accel/primitive.h"
 
-#include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "base/error.h"
+#include "base/parallel_chunks.h"
 #include "math/outward_rounding.h"
 #include "scene/scene_bounds.h"
 
@@ -32,10 +34,13 @@ Bounds3f packedQuadricBounds(const Shape& shape, const glm::dvec3& origin) {
 /// The kernels form cubes of lengths, which beyond this come near the end of float's range.
 constexpr float kLargestCoordinate = 1e12f;
 
-void requirePackable(const Bounds3f& bounds, const Shape& shape) {
+bool isPackable(const Bounds3f& bounds) {
     const glm::vec3 magnitude = glm::max(glm::abs(bounds.lower), glm::abs(bounds.upper));
-    const float largest = std::max({magnitude.x, magnitude.y, magnitude.z});
-    if (!(largest <= kLargestCoordinate))
+    return glm::all(glm::lessThanEqual(magnitude, glm::vec3(kLargestCoordinate))); // false for NaN
+}
+
+void require(bool isPackable, const Shape& shape) {
+    if (!isPackable)
         throw SceneError(shape.place,
                          "reaches more than 1e12 metres from the camera or the scene's "
                          "near side; scale the scene down");
@@ -50,25 +55,32 @@ glm::dvec3 packingOrigin(const Scene& scene) {
     return origin;
 }
 
-std::vector<Primitive> collectPrimitives(const Scene& scene, const glm::dvec3& origin) {
+std::vector<Primitive> collectPrimitives(const Scene& scene, const glm::dvec3& origin,
+                                         uint32_t threads) {
     std::vector<Primitive> primitives;
     for (uint32_t shapeIndex = 0; shapeIndex < scene.shapes.size(); ++shapeIndex) {
         const Shape& shape = scene.shapes[shapeIndex];
         const Mesh* mesh = std::get_if<Mesh>(&shape.geometry);
         if (!mesh) {
             const Bounds3f bounds = packedQuadricBounds(shape, origin);
-            requirePackable(bounds, shape);
+            require(isPackable(bounds), shape);
             primitives.push_back({bounds, shapeIndex, 0, PrimitiveKind::Quadric});
             continue;
         }
-        primitives.reserve(primitives.size() + mesh->triangles.size());
-        for (uint32_t t = 0; t < mesh->triangles.size(); ++t) {
-            Bounds3f bounds;
-            for (const uint32_t index : mesh->triangles[t].position)
-                bounds.extend(packPosition(mesh->positions[index], origin));
-            requirePackable(bounds, shape);
-            primitives.push_back({bounds, shapeIndex, t, PrimitiveKind::Triangle});
-        }
+        const size_t begin = primitives.size();
+        primitives.resize(begin + mesh->triangles.size());
+        std::atomic<bool> arePackable = true;
+        parallelChunks(mesh->triangles.size(), threads, [&](uint64_t first, uint64_t last) {
+            for (auto t = static_cast<uint32_t>(first); t < last; ++t) {
+                Bounds3f bounds;
+                for (const uint32_t index : mesh->triangles[t].position)
+                    bounds.extend(packPosition(mesh->positions[index], origin));
+                if (!isPackable(bounds))
+                    arePackable = false;
+                primitives[begin + t] = {bounds, shapeIndex, t, PrimitiveKind::Triangle};
+            }
+        });
+        require(arePackable, shape);
     }
     return primitives;
 }

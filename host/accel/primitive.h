@@ -5,6 +5,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "base/parallel_for.h"
 #include "math/bounds.h"
 #include "scene/scene.h"
 
@@ -31,6 +32,7 @@ glm::dvec3 packingOrigin(const Scene& scene);
 
 /// All primitives of the scene in its order. Throws SceneError, naming the shape, where coordinates
 /// are too large for the device's arithmetic.
-std::vector<Primitive> collectPrimitives(const Scene& scene, const glm::dvec3& origin);
+std::vector<Primitive> collectPrimitives(const Scene& scene, const glm::dvec3& origin,
+                                         uint32_t threads = allCores());
 
 } // namespace calotype

@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "accel/median_split.h"
 
@@ -36,11 +37,7 @@ constexpr float kLeastExtent = 1e-30f;
 
 /// Where the doubled centre of a box lies between the least and the greatest of all.
 struct Binning {
-    explicit Binning(std::span<const BoxReference> references) {
-        Bounds3f centers;
-        for (const BoxReference& reference : references)
-            centers.extend(reference.doubledCenter());
-        lower = centers.lower;
+    explicit Binning(const Bounds3f& centers) : lower(centers.lower) {
         for (int axis = 0; axis < 3; ++axis) {
             const float extent = centers.upper[axis] - centers.lower[axis];
             // Just below the number of bins, so that the greatest centre falls into the last.
@@ -82,20 +79,60 @@ void improve(const std::array<Bin, kBins>& bins, int axis, std::optional<Plane>&
     }
 }
 
+/// A sum over all references, each part on a thread of its own: `add(sum, reference)`.
+template <typename Sum, typename Add>
+Sum sumUp(std::span<const BoxReference> references, uint32_t threads, Add&& add) {
+    constexpr size_t kFewestForThreads = 1 << 16; // a millisecond's work
+    Sum sum;
+    if (threads == 1 || references.size() < kFewestForThreads) {
+        for (const BoxReference& reference : references)
+            add(sum, reference);
+        return sum;
+    }
+    std::vector<Sum> sums(threads);
+    parallelFor(0, threads, threads, [&](uint64_t part, uint32_t) {
+        const size_t first = references.size() * part / threads;
+        const size_t last = references.size() * (part + 1) / threads;
+        for (const BoxReference& reference : references.subspan(first, last - first))
+            add(sums[part], reference);
+    });
+    for (const Sum& ofPart : sums)
+        sum.add(ofPart);
+    return sum;
+}
+
+struct CenterBounds {
+    Bounds3f bounds;
+
+    void add(const CenterBounds& other) { bounds.extend(other.bounds); }
+};
+
+struct Bins {
+    std::array<std::array<Bin, kBins>, 3> ofAxis;
+
+    void add(const Bins& other) {
+        for (int axis = 0; axis < 3; ++axis)
+            for (size_t i = 0; i < kBins; ++i)
+                ofAxis[axis][i].add(other.ofAxis[axis][i]);
+    }
+};
+
 /// Partitions by the cheapest plane; 0 where all centres fall into one bin.
-size_t splitByBins(std::span<BoxReference> references) {
-    const Binning binning(references);
-    std::array<std::array<Bin, kBins>, 3> bins;
-    for (const BoxReference& reference : references)
-        for (int axis = 0; axis < 3; ++axis) {
-            Bin& bin = bins[axis][binning.binOf(reference, axis)];
-            bin.bounds.extend(reference.bounds());
-            ++bin.count;
-        }
+size_t splitByBins(std::span<BoxReference> references, uint32_t threads) {
+    const auto centers = sumUp<CenterBounds>(references, threads,
+                                             [](CenterBounds& sum, const BoxReference& reference) {
+                                                 sum.bounds.extend(reference.doubledCenter());
+                                             });
+    const Binning binning(centers.bounds);
+    const auto bins =
+        sumUp<Bins>(references, threads, [&](Bins& sum, const BoxReference& reference) {
+            for (int axis = 0; axis < 3; ++axis)
+                sum.ofAxis[axis][binning.binOf(reference, axis)].add({reference.bounds(), 1});
+        });
     std::optional<Plane> best;
     float leastCost = std::numeric_limits<float>::infinity();
     for (int axis = 0; axis < 3; ++axis)
-        improve(bins[axis], axis, best, leastCost);
+        improve(bins.ofAxis[axis], axis, best, leastCost);
     if (!best)
         return 0;
     const auto middle =
@@ -145,14 +182,14 @@ size_t splitBySweep(std::span<BoxReference> references) {
     return leastCost > 0.0f ? bestLeft : count / 2; // boxes without area cost nothing anyhow
 }
 
-size_t split(std::span<BoxReference> references, uint32_t depth) {
+size_t split(std::span<BoxReference> references, uint32_t depth, uint32_t threads) {
     if (references.size() == 2)
         return 1;
     if (depth > kDeepestSahSplit)
         return splitByMedian(references);
     if (references.size() <= kMostToSweep)
         return splitBySweep(references);
-    const size_t left = splitByBins(references);
+    const size_t left = splitByBins(references, threads);
     return left > 0 ? left : splitByMedian(references);
 }
 

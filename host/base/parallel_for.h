@@ -1,11 +1,14 @@
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <thread>
 #include <vector>
 
 namespace calotype {
+
+inline uint32_t allCores() { return std::max(1u, std::thread::hardware_concurrency()); }
 
 /// Calls body(index, thread) once for every index in [begin, end), on `threads` >= 1 threads
 /// numbered from 0, this one among them. The body must not throw.

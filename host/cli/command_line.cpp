@@ -51,21 +51,25 @@ CLI::Option* addParsed(CLI::App& command, const std::string& name, Target& targe
         ->type_name(type);
 }
 
-void addSceneOptions(CLI::App& command, SceneOptions& scene) {
-    command.add_option("scene", scene.path, "Scene file (JSON), or a model (OBJ) to show")
-        ->required()
-        ->type_name("SCENE");
+void addOverrides(CLI::App& command, std::vector<SceneOverride>& overrides) {
     command
         .add_option_function<std::vector<std::string>>(
             "--set",
-            [&scene](const std::vector<std::string>& texts) {
+            [&overrides](const std::vector<std::string>& texts) {
                 for (const std::string& text : texts)
-                    scene.overrides.push_back(parseOverride(text));
+                    overrides.push_back(parseOverride(text));
             },
             "Change a value of the scene, e.g. /render/max_bounces=8; may be repeated")
         ->type_name("/POINTER=VALUE")
         ->expected(1)
         ->take_all();
+}
+
+void addSceneOptions(CLI::App& command, SceneOptions& scene) {
+    command.add_option("scene", scene.path, "Scene file (JSON), or a model (OBJ) to show")
+        ->required()
+        ->type_name("SCENE");
+    addOverrides(command, scene.overrides);
     addParsed(command, "--missing-textures", scene.missingTextures, parseMissingTextures,
               "Where an image file is missing: fail, or warn and show magenta", "fail|warn");
 }
@@ -79,6 +83,14 @@ void addDeviceOptions(CLI::App& command, DeviceOptions& device, const std::strin
     command.add_option("--threads", device.threads, "Threads on the CPU (default: all cores)")
         ->check(CLI::Range(1, 1024))
         ->type_name("N");
+}
+
+void addBvhOption(CLI::App& command, std::optional<BvhBuilder>& bvh) {
+    addParsed(
+        command, "--bvh", bvh, parseBvh,
+        "How the BVH is built: median (soon done), sah (soon traversed), or auto, the quickest "
+        "for the samples asked for (default)",
+        "auto|median|sah");
 }
 
 CLI::App& addRenderCommand(CLI::App& app, RenderOptions& options) {
@@ -116,6 +128,7 @@ CLI::App& addRenderCommand(CLI::App& app, RenderOptions& options) {
         .add_option("--preview-file", options.previewFile,
                     "Where previews go (default: the first output)")
         ->type_name("FILE");
+    addBvhOption(command, options.bvh);
     command.add_option("--stats", options.statsFile, "Write statistics as JSON")->type_name("FILE");
     command.add_flag("-q,--quiet", options.quiet, "No progress, only warnings and errors")
         ->multi_option_policy(CLI::MultiOptionPolicy::Throw);
@@ -148,6 +161,33 @@ CLI::App& addCompareCommand(CLI::App& app, CompareOptions& options) {
     return command;
 }
 
+CLI::App& addBenchCommand(CLI::App& app, BenchOptions& options) {
+    CLI::App& command = *app.add_subcommand("bench", "Measure how fast scenes are rendered");
+    command
+        .add_option("scenes", options.scenes,
+                    "Scene files (default: two generated scenes of 786,000 triangles)")
+        ->type_name("SCENE");
+    addOverrides(command, options.overrides);
+    command.add_option("--spp", options.samplesPerPixel, "Samples per pixel of a repeat")
+        ->check(CLI::Range(1u, RenderDefaults::kMostSamplesPerPixel))
+        ->capture_default_str()
+        ->type_name("N");
+    command.add_option("--repeats", options.repeats, "Repeats of each measurement")
+        ->check(CLI::Range(1u, 1000u))
+        ->capture_default_str()
+        ->type_name("N");
+    command.add_option("--json", options.jsonFile, "Write a line of JSON a scene")
+        ->type_name("FILE");
+    addBvhOption(command, options.bvh);
+    addDeviceOptions(command, options.device);
+    command.footer(
+        "Rates are medians of the repeats, after one that is not counted, with the "
+        "least and the greatest.\nRays of the traversal alone are those of the picture's "
+        "paths: from the camera, after three bounces,\nand from what the camera sees to "
+        "the lights.");
+    return command;
+}
+
 int parseAndRun(int argc, char** argv) {
     CLI::App app("Calotype: a headless path tracer on Vulkan compute.\n"
                  "Exit codes: 0 done, 1 interrupted or an output that cannot be written, 2 wrong "
@@ -159,13 +199,16 @@ int parseAndRun(int argc, char** argv) {
     RenderOptions renderOptions;
     InfoOptions infoOptions;
     CompareOptions compareOptions;
+    BenchOptions benchOptions;
     DeviceOptions devicesOptions;
     CLI::App& render = addRenderCommand(app, renderOptions);
     CLI::App& info =
         *app.add_subcommand("info", "Print what a scene holds and what it takes on the device");
     addSceneOptions(info, infoOptions.scene);
+    addBvhOption(info, infoOptions.bvh);
     addDeviceOptions(info, infoOptions.device);
     CLI::App& compare = addCompareCommand(app, compareOptions);
+    CLI::App& bench = addBenchCommand(app, benchOptions);
     CLI::App& devices = *app.add_subcommand("devices", "List devices and say which one is taken");
     addDeviceOptions(devices, devicesOptions);
     try {
@@ -177,11 +220,12 @@ int parseAndRun(int argc, char** argv) {
     }
     if (app.get_subcommands().empty())
         throw UsageError(
-            "a command is required: render, info, compare or devices (see calotype --help)");
+            "a command is required: render, info, compare, bench or devices (see calotype --help)");
     if (render.parsed())
         return renderCommand(renderOptions);
     const int code = info.parsed()      ? infoCommand(infoOptions)
                      : compare.parsed() ? compareCommand(compareOptions)
+                     : bench.parsed()   ? benchCommand(benchOptions)
                                         : devicesCommand(devicesOptions);
     if (std::fflush(stdout) != 0)
         throw OutputError("cannot write to standard output");

@@ -8,6 +8,7 @@ namespace calotype {
 int renderCommand(const RenderOptions& options);
 int infoCommand(const InfoOptions& options);
 int compareCommand(const CompareOptions& options);
+int benchCommand(const BenchOptions& options);
 int devicesCommand(const DeviceOptions& options);
 
 } // namespace calotype

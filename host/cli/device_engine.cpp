@@ -12,7 +12,10 @@ GpuScene build(const Scene& scene, const EngineRequest& request) {
     const std::vector<Primitive> primitives = collectPrimitives(scene, origin);
     BuildOptions options;
     options.onProgress = [&](double done) { request.onProgress("building the BVH", done); };
-    const Bvh bvh = buildBvh(primitives, BvhBuilder::Sah, options);
+    const Crop& crop = request.settings.crop;
+    const uint64_t paths = uint64_t{crop.width} * crop.height * request.settings.samplesPerPixel;
+    const Bvh bvh = buildBvh(
+        primitives, request.bvh.value_or(quickestBuilder(primitives.size(), paths)), options);
     return packScene(scene, primitives, bvh, origin,
                      static_cast<double>(request.settings.width) / request.settings.height,
                      request.wantsFirstHits ? PackedUvs::All : PackedUvs::OfTextured);

@@ -20,6 +20,9 @@ public:
     uint64_t cutPixels() const override { return cutPixels_; }
     DeviceInfo info() const override { return session_.device().info(); }
     uint64_t deviceBytes() const override { return deviceBytes_; }
+    const Device& device() const { return session_.device(); }
+    const GpuScene& packed() const { return packed_; }
+    const SceneBuffers& buffers() const { return buffers_; }
     void finish() const override { session_.throwOnValidationMessages(); }
 
 private:

@@ -38,10 +38,11 @@ void printCounts(const Scene& scene, const GpuScene& packed,
                     bounds.lower.z, bounds.upper.x, bounds.upper.y, bounds.upper.z);
 }
 
-void printBvh(const Bvh& bvh) {
+void printBvh(const Bvh& bvh, BvhBuilder builder) {
     const BvhStatistics statistics = bvhStatistics(bvh);
-    std::printf("BVH         %zu nodes of %.2f children, depth %u of %u, %zu leaves of %.2f "
+    std::printf("BVH         by %s, %zu nodes of %.2f children, depth %u of %u, %zu leaves of %.2f "
                 "primitives; a ray visits %.1f nodes and %.1f primitives\n",
+                builder == BvhBuilder::Median ? "median split" : "surface area heuristic",
                 statistics.nodes, statistics.childrenPerNode, bvh.depth, gpu::kMaxBvhDepth,
                 statistics.leaves, statistics.primitivesPerLeaf, statistics.nodesVisited,
                 statistics.primitivesVisited);
@@ -80,8 +81,10 @@ int infoCommand(const InfoOptions& options) {
         std::fprintf(stderr, "calotype: warning: %s\n", warning.c_str());
     const glm::dvec3 origin = packingOrigin(scene);
     const std::vector<Primitive> primitives = collectPrimitives(scene, origin);
-    const Bvh bvh = buildBvh(primitives);
     const FilmSettings& film = scene.film;
+    const uint64_t paths = uint64_t{film.width} * film.height * scene.render.samplesPerPixel;
+    const BvhBuilder builder = options.bvh.value_or(quickestBuilder(primitives.size(), paths));
+    const Bvh bvh = buildBvh(primitives, builder);
     const GpuScene packed =
         packScene(scene, primitives, bvh, origin, static_cast<double>(film.width) / film.height);
     RenderSettings settings;
@@ -90,7 +93,7 @@ int infoCommand(const InfoOptions& options) {
     settings.crop = {0, 0, film.width, film.height};
 
     printCounts(scene, packed, primitives);
-    printBvh(bvh);
+    printBvh(bvh, builder);
     printFeatures(packed.features);
     const DeviceSession session(options.device);
     printMemory(session.device(), packed, settings);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "accel/build_bvh.h"
 #include "film/display_transform.h"
 #include "image/exr_layers.h"
 #include "render/render_settings.h"
@@ -32,6 +33,7 @@ struct SceneOptions {
 struct RenderOptions {
     SceneOptions scene;
     DeviceOptions device;
+    std::optional<BvhBuilder> bvh; ///< none: the quickest
     std::vector<std::string> outputs;
     std::optional<uint32_t> samplesPerPixel;
     std::optional<uint32_t> maxBounces;
@@ -49,6 +51,7 @@ struct RenderOptions {
 struct InfoOptions {
     SceneOptions scene;
     DeviceOptions device;
+    std::optional<BvhBuilder> bvh;
 };
 
 /// Picture A against picture B, the reference.
@@ -57,6 +60,16 @@ struct CompareOptions {
     std::string b;
     std::string differenceFile; ///< empty: none
     std::optional<double> maxRelativeMse;
+};
+
+struct BenchOptions {
+    std::vector<std::string> scenes; ///< paths; none: scenes made for it
+    std::vector<SceneOverride> overrides;
+    DeviceOptions device;
+    std::optional<BvhBuilder> bvh; ///< none: the quickest for all repeats together
+    uint32_t samplesPerPixel = 4;  ///< of each repeat
+    uint32_t repeats = 5;
+    std::string jsonFile; ///< empty: none
 };
 
 } // namespace calotype

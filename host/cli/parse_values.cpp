@@ -97,6 +97,14 @@ MissingTextures parseMissingTextures(const std::string& text) {
     return text == "warn" ? MissingTextures::Warn : MissingTextures::Fail;
 }
 
+std::optional<BvhBuilder> parseBvh(const std::string& text) {
+    if (text == "auto")
+        return std::nullopt;
+    if (text != "median" && text != "sah")
+        fail("--bvh", text, "auto, median or sah");
+    return text == "median" ? BvhBuilder::Median : BvhBuilder::Sah;
+}
+
 ToneMap parseToneMap(const std::string& text) {
     const auto toneMap = toneMapFromName(text);
     if (!toneMap)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ SceneOverride parseOverride(const std::string& text);          ///< --set "/poin
 MissingTextures parseMissingTextures(const std::string& text); ///< --missing-textures
 ToneMap parseToneMap(const std::string& text);                 ///< --tonemap
 float parseExposure(const std::string& text);                  ///< --exposure "-1.5", in stops
+std::optional<BvhBuilder> parseBvh(const std::string& text);   ///< --bvh
 double parseMaxRelativeMse(const std::string& text);           ///< --max-relmse "1e-3"
 
 /// --aov "albedo,normal"

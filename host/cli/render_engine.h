@@ -3,8 +3,10 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "accel/build_bvh.h"
 #include "cli/options.h"
 #include "cli/statistics.h"
 #include "gpu/device_list.h"
@@ -41,6 +43,7 @@ public:
 struct EngineRequest {
     RenderSettings settings;
     bool wantsFirstHits = false;
+    std::optional<BvhBuilder> bvh; ///< none: the quickest for the settings
     /// Hears what is being done, and the share of it done; may throw to end it.
     std::function<void(const std::string&, double)> onProgress;
 };

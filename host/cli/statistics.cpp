@@ -5,15 +5,12 @@
 #include <nlohmann/json.hpp>
 
 namespace calotype {
-namespace {
 
 uint64_t peakMemoryBytes() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     return static_cast<uint64_t>(usage.ru_maxrss) * 1024; // Linux counts kibibytes
 }
-
-} // namespace
 
 std::string toJson(const RenderStatistics& statistics) {
     const auto& [device, settings, totals, seconds, deviceBytes, sceneHash] = statistics;

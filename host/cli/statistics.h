@@ -30,6 +30,9 @@ struct RenderStatistics {
     uint64_t sceneHash = 0;
 };
 
+/// Of the process so far.
+uint64_t peakMemoryBytes();
+
 /// As JSON, with the process's peak memory.
 std::string toJson(const RenderStatistics& statistics);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "base/huge_pages.h"
+
 namespace calotype {
 namespace {
 
@@ -17,6 +19,13 @@ std::span<const std::byte> checkRows(const Device& device, std::span<const std::
                        " MiB, and '" + device.info().name + "' can address " +
                        std::to_string((limit * kBytesPerRow) >> 20) + " MiB in one buffer");
     return contents;
+}
+
+/// Of a CPU, whose kernels read scenes at random: translating addresses page by page took a seventh
+/// of their time.
+void adviseHugePagesOf(const vk::raii::DeviceMemory& memory, size_t bytes) {
+    adviseHugePages(memory.mapMemory(0, VK_WHOLE_SIZE), bytes);
+    memory.unmapMemory();
 }
 
 /// Makes what was copied visible to the kernels of later submissions.
@@ -43,6 +52,8 @@ Buffer::Buffer(const Device& device, size_t bytes, vk::BufferUsageFlags usage, M
         memory_ = device.handle().allocateMemory(
             {requirements.size, device.memoryType(requirements.memoryTypeBits, wanted)});
         buffer_.bindMemory(*memory_, 0);
+        if (memory == Memory::Device && device.info().type == "CPU")
+            adviseHugePagesOf(memory_, requirements.size);
         if (memory == Memory::Host)
             mapped_ = memory_.mapMemory(0, VK_WHOLE_SIZE);
     });

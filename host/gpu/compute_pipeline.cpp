@@ -62,7 +62,9 @@ ComputePipeline::ComputePipeline(const Device& device, const ComputePipelineInfo
             handle.createShaderModule({{}, info.spirv.size_bytes(), info.spirv.data()});
         const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute,
                                                       *module, "main", &specialization);
-        pipeline_ = handle.createComputePipeline(nullptr, {{}, stage, *layout_});
+        pipeline_ =
+            handle.createComputePipeline(device.pipelineCache().handle(), {{}, stage, *layout_});
+        device.pipelineCache().store();
         device.setName(pipeline_, info.name);
     });
 }

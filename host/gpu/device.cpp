@@ -29,6 +29,7 @@ Device::Device(const Instance& instance, std::string_view wish) {
         const vk::DeviceQueueCreateInfo queueInfo({}, family, 1, &priority);
         device_ = physicalDevice.createDevice(vk::DeviceCreateInfo({}, queueInfo));
         namesObjects_ = device_.getDispatcher()->vkSetDebugUtilsObjectNameEXT != nullptr;
+        pipelineCache_ = std::make_unique<PipelineCache>(physicalDevice.getProperties(), device_);
         queue_ = device_.getQueue(family, 0);
         commandPool_ =
             device_.createCommandPool({vk::CommandPoolCreateFlagBits::eResetCommandBuffer, family});

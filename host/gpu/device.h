@@ -2,10 +2,12 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "gpu/device_list.h"
 #include "gpu/instance.h"
+#include "gpu/pipeline_cache.h"
 #include "gpu/vulkan.h"
 
 namespace calotype {
@@ -20,6 +22,8 @@ public:
     const DeviceInfo& info() const { return info_; }
     const DeviceChoice& choice() const { return choice_; }
     const vk::PhysicalDeviceLimits& limits() const { return limits_; }
+
+    PipelineCache& pipelineCache() const { return *pipelineCache_; }
 
     /// Bytes of the largest heap on the device.
     uint64_t memorySize() const;
@@ -46,6 +50,7 @@ private:
     vk::PhysicalDeviceLimits limits_;
     vk::PhysicalDeviceMemoryProperties memory_;
     vk::raii::Device device_ = nullptr;
+    std::unique_ptr<PipelineCache> pipelineCache_;
     vk::raii::Queue queue_ = nullptr;
     vk::raii::CommandPool commandPool_ = nullptr;
     vk::raii::CommandBuffer commandBuffer_ = nullptr;

@@ -4,6 +4,7 @@
 
 #include "base/check.h"
 #include "base/error.h"
+#include "base/parallel_chunks.h"
 #include "pack/filter_table.h"
 #include "pack/pack_camera.h"
 #include "pack/pack_lights.h"
@@ -29,6 +30,7 @@ public:
         : scene_(scene), primitives_(primitives), bvh_(bvh), uvs_(uvs), textures_(scene.textures),
           lights_(scene, packed_.features) {
         packed_.origin = origin;
+        packed_.primitiveCount = primitives.size();
         packed_.materials.resize(scene.materials.size());
         isPacked_.resize(scene.materials.size());
     }
@@ -56,15 +58,74 @@ private:
             uvs_ == PackedUvs::All ||
             std::any_of(std::begin(kTextureSlots), std::end(kTextureSlots),
                         [&](uint32_t slot) { return packed_.features.enabled[slot]; });
-        for (const uint32_t number : bvh_.order) {
-            const Primitive& primitive = primitives_[number];
-            const Shape& shape = scene_.shapes[primitive.shape];
-            if (primitive.kind == PrimitiveKind::Quadric)
-                addQuadric(shape, number);
-            else
-                addTriangle(std::get<Mesh>(shape.geometry), primitive.triangle, number, smooth,
-                            textured);
+        const auto quadrics = static_cast<size_t>(std::ranges::count_if(
+            primitives_, [](const auto& p) { return p.kind == PrimitiveKind::Quadric; }));
+        const size_t triangles = primitives_.size() - quadrics;
+        enable(gpu::kFeatureTriangles, triangles > 0);
+        packed_.quadrics.resize(quadrics);
+        packed_.triangles.resize(triangles);
+        packed_.triangleNormals.resize(smooth ? triangles : 0);
+        packed_.triangleUvs.resize(textured ? triangles : 0);
+        nameInOrder();
+        parallelChunks(names_.size(), allCores(), [&](uint64_t first, uint64_t last) {
+            for (uint64_t place = first; place < last; ++place)
+                packPrimitive(bvh_.order[place], names_[place]);
+        });
+        for (size_t place = 0; place < names_.size(); ++place)
+            addLight(bvh_.order[place], names_[place]);
+    }
+
+    /// Of each primitive in the order of the leaves, its name (gpu::kQuadricBit).
+    void nameInOrder() {
+        names_.reserve(bvh_.order.size());
+        uint32_t triangle = 0;
+        uint32_t quadric = 0;
+        for (const uint32_t number : bvh_.order)
+            names_.push_back(primitives_[number].kind == PrimitiveKind::Quadric
+                                 ? quadric++ | gpu::kQuadricBit
+                                 : triangle++);
+    }
+
+    /// From several threads at a time: each primitive has a place of its own.
+    void packPrimitive(uint32_t number, uint32_t name) {
+        const Shape& shape = scene_.shapes[primitives_[number].shape];
+        const auto* mesh = std::get_if<Mesh>(&shape.geometry);
+        if (!mesh) {
+            gpu::Quadric& quadric = packed_.quadrics[name & ~gpu::kQuadricBit];
+            quadric = packQuadric(shape, packed_.origin, number);
+            quadric.material |= transparentBit(quadric.material);
+            return;
         }
+        const uint32_t index = primitives_[number].triangle;
+        gpu::Triangle& triangle = packed_.triangles[name];
+        triangle = packTriangle(*mesh, index, packed_.origin, number);
+        triangle.material |= transparentBit(triangle.material);
+        if (!packed_.triangleNormals.empty())
+            packed_.triangleNormals[name] = packTriangleNormals(*mesh, index);
+        if (!packed_.triangleUvs.empty())
+            packed_.triangleUvs[name] = packTriangleUvs(*mesh, index);
+    }
+
+    void addLight(uint32_t number, uint32_t name) {
+        if ((name & gpu::kQuadricBit) != 0) {
+            const gpu::Quadric& quadric = packed_.quadrics[name & ~gpu::kQuadricBit];
+            const uint32_t material = materialOf(quadric);
+            enable(gpu::kFeatureSpheres + quadric.kind, true);
+            enable(gpu::kFeatureSphereLights + quadric.kind,
+                   lights_.isLight(material) &&
+                       lights_.add(material, name, number, areaOf(quadric)));
+        } else {
+            const gpu::Triangle& triangle = packed_.triangles[name];
+            const uint32_t material = materialOf(triangle);
+            enable(gpu::kFeatureTriangleLights,
+                   lights_.isLight(material) &&
+                       lights_.add(material, name, number, areaOf(triangle)));
+        }
+    }
+
+    template <typename PackedPrimitive>
+    static uint32_t materialOf(const PackedPrimitive& primitive) {
+        return primitive.material & ~gpu::kTransparentBit;
     }
 
     bool anyTriangleHasNormals() const {
@@ -72,31 +133,6 @@ private:
             const Mesh* mesh = std::get_if<Mesh>(&scene_.shapes[primitive.shape].geometry);
             return mesh && mesh->triangles[primitive.triangle].normal[0] != Mesh::kNoNormal;
         });
-    }
-
-    void addTriangle(const Mesh& mesh, uint32_t index, uint32_t number, bool smooth,
-                     bool textured) {
-        const auto name = static_cast<uint32_t>(packed_.triangles.size());
-        gpu::Triangle triangle = packTriangle(mesh, index, packed_.origin, number);
-        const bool shines = lights_.add(triangle.material, name, number, areaOf(triangle));
-        triangle.material |= transparentBit(triangle.material);
-        enable(gpu::kFeatureTriangles, true);
-        enable(gpu::kFeatureTriangleLights, shines);
-        packed_.triangles.push_back(triangle);
-        if (smooth)
-            packed_.triangleNormals.push_back(packTriangleNormals(mesh, index));
-        if (textured)
-            packed_.triangleUvs.push_back(packTriangleUvs(mesh, index));
-    }
-
-    void addQuadric(const Shape& shape, uint32_t number) {
-        const auto name = static_cast<uint32_t>(packed_.quadrics.size()) | gpu::kQuadricBit;
-        gpu::Quadric quadric = packQuadric(shape, packed_.origin, number);
-        const bool shines = lights_.add(quadric.material, name, number, areaOf(quadric));
-        quadric.material |= transparentBit(quadric.material);
-        enable(gpu::kFeatureSpheres + quadric.kind, true);
-        enable(gpu::kFeatureSphereLights + quadric.kind, shines);
-        packed_.quadrics.push_back(quadric);
     }
 
     /// Tells each shining primitive its light.
@@ -116,14 +152,18 @@ private:
     }
 
     void packNodes() {
-        packed_.nodes.reserve(bvh_.nodes.size());
-        FirstPrimitives first;
-        for (const Bvh::Node& node : bvh_.nodes) {
-            packed_.nodes.push_back(packNode(node, first));
-            for (const Bvh::Slot& slot : node.slots)
-                (slot.kind == Bvh::SlotKind::Quadrics ? first.quadric : first.triangle) +=
+        std::vector<FirstPrimitives> first(bvh_.nodes.size());
+        for (size_t i = 1; i < first.size(); ++i) {
+            first[i] = first[i - 1];
+            for (const Bvh::Slot& slot : bvh_.nodes[i - 1].slots)
+                (slot.kind == Bvh::SlotKind::Quadrics ? first[i].quadric : first[i].triangle) +=
                     slot.count;
         }
+        packed_.nodes.resize(bvh_.nodes.size());
+        parallelChunks(first.size(), allCores(), [&](uint64_t begin, uint64_t end) {
+            for (uint64_t i = begin; i < end; ++i)
+                packed_.nodes[i] = packNode(bvh_.nodes[i], first[i]);
+        });
     }
 
     /// Materials that something bears. What others would need of the kernel is left out.
@@ -192,6 +232,7 @@ private:
     GpuScene packed_;
     LightPacker lights_;
     std::vector<bool> isPacked_;  ///< by material
+    std::vector<uint32_t> names_; ///< of the primitives, in the order of the leaves
 };
 
 template <typename T>

@@ -24,6 +24,7 @@ struct GpuScene {
     std::vector<gpu::Light> lights; ///< the background last
     std::vector<float> filterQuantiles;
     uint32_t lightCount = 0; ///< `lights` holds one unused where this is 0
+    size_t primitiveCount = 0;
     gpu::Camera camera{};
     SceneFeatures features;
     glm::dvec3 origin{0.0};

@@ -18,6 +18,11 @@ double maxComponent(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
 } // namespace
 
+bool LightPacker::isLight(uint32_t materialIndex) const {
+    const Material& material = scene_.materials[materialIndex];
+    return maxComponent(material.emission) > 0.0 || !material.visibleToCamera;
+}
+
 bool LightPacker::add(uint32_t materialIndex, uint32_t name, uint32_t number, double area) {
     const Material& material = scene_.materials[materialIndex];
     // A light that is off but hidden from the camera still has to be seen through.

@@ -16,6 +16,9 @@ public:
     /// `scene` and `features`, which learns what the kernel must know of, must outlive this.
     LightPacker(const Scene& scene, SceneFeatures& features) : scene_(scene), features_(features) {}
 
+    /// Whether primitives of the material may be lights.
+    bool isLight(uint32_t materialIndex) const;
+
     /// Adds the primitive of that name (gpu::Light::primitive) and number in the scene file if its
     /// material makes it a light; true if so. `area` in m^2. Throws SceneError where its radiance
     /// is beyond what single precision has room for.

@@ -23,7 +23,8 @@ class Grid {
 public:
     Grid(double lower, double upper) : origin_(lower) {
         exponent_ = std::max(kLeastExponent, std::ilogb(std::max(upper - lower, kLeastSize)) - 8);
-        while (isAboveGrid(upper))
+        size_ = std::ldexp(1.0, exponent_);
+        for (; isAboveGrid(upper); size_ *= 2.0)
             ++exponent_;
     }
 
@@ -33,11 +34,11 @@ public:
     /// The last cell boundary that is not above `place`.
     uint32_t cellsBelow(double place) const {
         auto cells =
-            static_cast<int>(std::clamp((place - origin_) / size(), 0.0, double{kMostCells}));
+            static_cast<int>(std::clamp((place - origin_) / size_, 0.0, double{kMostCells}));
         // The quotient's rounding may be on either side of a boundary.
-        while (cells > 0 && isAbove(origin_, cells * size(), place))
+        while (cells > 0 && isAbove(origin_, cells * size_, place))
             --cells;
-        while (cells < kMostCells && !isAbove(origin_, (cells + 1) * size(), place))
+        while (cells < kMostCells && !isAbove(origin_, (cells + 1) * size_, place))
             ++cells;
         return static_cast<uint32_t>(cells);
     }
@@ -54,16 +55,15 @@ private:
     static constexpr int kLeastExponent = -126; ///< of a normal float
     static constexpr double kLeastSize = 0x1p-118;
 
-    double size() const { return std::ldexp(1.0, exponent_); }
-
     bool isBelow(uint32_t cells, double place) const {
-        return isAbove(-origin_, -static_cast<double>(cells) * size(), -place);
+        return isAbove(-origin_, -static_cast<double>(cells) * size_, -place);
     }
 
     bool isAboveGrid(double place) const { return isBelow(kMostCells, place); }
 
     double origin_;
     int exponent_;
+    double size_; ///< of a cell: 2^exponent_
 };
 
 uint32_t bitOf(uint32_t slot, bool isSet) { return isSet ? 1u << slot : 0u; }

@@ -59,17 +59,46 @@ gpu::Quadric pack(const Disk& disk, const glm::dvec3& origin) {
     return quadric;
 }
 
+/// Unit normal of the triangle's front; zero where it has no area. The two shorter edges span it,
+/// so that a needle's does not suffer from the length of the third.
+glm::dvec3 normalOf(const glm::dvec3& v0, const glm::dvec3& v1, const glm::dvec3& v2) {
+    const glm::dvec3 edges[] = {v1 - v0, v2 - v1, v0 - v2};
+    int longest = 0;
+    for (int i = 1; i < 3; ++i)
+        longest =
+            glm::dot(edges[i], edges[i]) > glm::dot(edges[longest], edges[longest]) ? i : longest;
+    const glm::dvec3 normal = glm::cross(edges[(longest + 1) % 3], edges[(longest + 2) % 3]);
+    const double length = glm::length(normal);
+    return length > 0.0 ? normal / length : glm::dvec3(0.0);
+}
+
 } // namespace
+
+gpu::Triangle packTriangle(const glm::vec3& v0, const glm::vec3& v1, const glm::vec3& v2,
+                           const glm::dvec3& fallback) {
+    glm::dvec3 normal = normalOf(glm::dvec3(v0), glm::dvec3(v1), glm::dvec3(v2));
+    if (normal == glm::dvec3(0.0))
+        normal = fallback;
+    gpu::Triangle packed{};
+    packed.v0 = v0;
+    packed.v1 = v1;
+    packed.v2 = v2;
+    packed.normalX = static_cast<float>(normal.x);
+    packed.normalY = static_cast<float>(normal.y);
+    packed.normalZ = static_cast<float>(normal.z);
+    packed.light = gpu::kNone;
+    return packed;
+}
 
 gpu::Triangle packTriangle(const Mesh& mesh, uint32_t triangle, const glm::dvec3& origin,
                            uint32_t number) {
     const Mesh::Triangle& source = mesh.triangles[triangle];
-    gpu::Triangle packed{};
-    packed.v0 = packPosition(mesh.positions[source.position[0]], origin);
-    packed.v1 = packPosition(mesh.positions[source.position[1]], origin);
-    packed.v2 = packPosition(mesh.positions[source.position[2]], origin);
+    const glm::dvec3& v0 = mesh.positions[source.position[0]];
+    const glm::dvec3& v1 = mesh.positions[source.position[1]];
+    const glm::dvec3& v2 = mesh.positions[source.position[2]];
+    gpu::Triangle packed = packTriangle(packPosition(v0, origin), packPosition(v1, origin),
+                                        packPosition(v2, origin), normalOf(v0, v1, v2));
     packed.material = source.material;
-    packed.light = gpu::kNone;
     packed.id = number;
     return packed;
 }

@@ -1,23 +1,12 @@
 #include "render/path_tracer.h"
 
-#include <numeric>
-
 #include "kernels/path_trace.spv.h"
 #include "render/loop_budget.h"
+#include "render/specialization.h"
 #include "render/tiles.h"
 
 namespace calotype {
 namespace {
-
-/// llvmpipe gives each thread a contiguous part of a dispatch, so neighbouring tiles, which take
-/// about as long, are dealt out evenly by striding through the picture with a number coprime to
-/// theirs. Small enough for 32-bit products of the largest pictures.
-uint32_t coprimeStride(uint32_t tileCount) {
-    uint32_t stride = 61;
-    while (std::gcd(stride, tileCount) != 1)
-        --stride;
-    return stride;
-}
 
 gpu::RenderParameters makeParameters(const GpuScene& scene, const RenderSettings& settings,
                                      uint32_t tileCount, uint32_t iterationBudget) {
@@ -42,17 +31,6 @@ std::vector<Binding> withKernelBindings(std::vector<Binding> bindings, const Buf
     bindings.push_back(Binding::storageBuffer(gpu::kBindingCounters, counters));
     bindings.push_back(Binding::storageBuffer(gpu::kBindingParkedPaths, parkedPaths));
     return bindings;
-}
-
-std::vector<uint32_t> specialization(const Device& device, const SceneFeatures& features,
-                                     const KernelTuning& tuning) {
-    std::vector<uint32_t> constants(features.enabled.begin(), features.enabled.end());
-    constants.resize(gpu::kConstantCount);
-    constants[gpu::kConstantSubgroupSize] = device.info().subgroupSize;
-    constants[gpu::kConstantNodeEighths] = tuning.nodeEighths;
-    constants[gpu::kConstantPrimitiveEighths] = tuning.primitiveEighths;
-    constants[gpu::kConstantPathEighths] = tuning.pathEighths;
-    return constants;
 }
 
 size_t parkedBytes(const Device& device, const Crop& crop) {

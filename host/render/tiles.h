@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <numeric>
 
 #include "render/render_settings.h"
 #include "shared/limits.h"
@@ -15,6 +16,16 @@ inline uint32_t tilesAlong(uint32_t pixels) {
 /// Those that cover the crop, counted row by row.
 inline uint32_t countTiles(const Crop& crop) {
     return tilesAlong(crop.width) * tilesAlong(crop.height);
+}
+
+/// llvmpipe gives each thread a contiguous part of a dispatch, so neighbouring groups, which take
+/// about as long, are dealt out evenly by striding through all with a number coprime to theirs.
+/// Small enough for 32-bit products of the largest pictures.
+inline uint32_t coprimeStride(uint32_t groupCount) {
+    uint32_t stride = 61;
+    while (std::gcd(stride, groupCount) != 1)
+        --stride;
+    return stride;
 }
 
 } // namespace calotype

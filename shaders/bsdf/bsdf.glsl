@@ -73,7 +73,9 @@ Bsdf makeBsdf(SurfaceParameters surface, vec3 ng, vec3 ns, vec3 horizon, vec3 wo
     bsdf.lobes = surface.lobes;
     bsdf.ng = side * ng;
     bsdf.horizon = side * horizon;
-    bsdf.worldFromShading = worldFromLocal(consistentNormal(woWorld, bsdf.ng, side * ns));
+    vec3 shadingNormal =
+        hasShadingNormals ? consistentNormal(woWorld, bsdf.ng, side * ns) : bsdf.ng;
+    bsdf.worldFromShading = worldFromLocal(shadingNormal);
     vec3 wo = woWorld * bsdf.worldFromShading;
     // A cosine: the sum of three products is off by gamma_3 (4e-7) at most, and the frame's axes by
     // as much again, so a view along the surface may come out below it by less than 1e-6.

@@ -32,11 +32,9 @@ vec3 consistentNormal(vec3 wo, vec3 ng, vec3 ns) {
     float height = 2.0 * cosine * dot(ns, ng) - dot(wo, ng); // of the mirrored viewer
     // Cosines to ng: a fiftieth of the viewer's, and at least twice the rounding of a dot product
     // of unit vectors (gamma_3, 4e-7), lest a ray along the surface starts beneath it.
-    float lowest = max(0.02 * dot(wo, ng), 1e-6);
-    if (height >= lowest)
-        return ns;
+    float least = max(0.02 * dot(wo, ng), 1e-6);
     // Of a direction straight down something has to be left.
-    lowest = max(lowest, sqrt(max(height * height - 0.9999, 0.0)));
+    float lowest = max(least, sqrt(max(height * height - 0.9999, 0.0)));
     // With the lifted direction's length, sum = length wo + lifted. The two nearly cancel where the
     // view grazes: so wo + mirrored is put as 2 (wo.ns) ns, and the sum made perpendicular to their
     // difference, which it is but for rounding.
@@ -45,7 +43,12 @@ vec3 consistentNormal(vec3 wo, vec3 ng, vec3 ns) {
     vec3 sum = 2.0 * cosine * ns + (lowest - height) * ng + excess2 / (1.0 + liftedLength) * wo;
     vec3 difference = 2.0 * liftedLength * wo - sum;
     float longer2 = max(dot(sum, sum), dot(difference, difference)); // lest rounding is divided by
-    return normalize(sum - dot(sum, difference) / longer2 * difference);
+    vec3 bent = sum - dot(sum, difference) / longer2 * difference;
+    // Chosen before the root: CPUs compute both, and numbers too small for float cost them dearly.
+    bool isConsistent = height >= least;
+    bent = isConsistent ? ns : bent;
+    float scale = inversesqrt(dot(bent, bent));
+    return isConsistent ? ns : scale * bent;
 }
 
 /// The direction, mirrored where it is not on the side of the normal.

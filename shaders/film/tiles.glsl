@@ -12,12 +12,15 @@ uint evenBits(uint x) {
     return x;
 }
 
-/// Pixel of a tile's invocation: along a Z curve, so that a subgroup's rays stay together. The last
-/// tiles reach beyond the picture.
-uvec2 pixelOfInvocation(uint tile, uint invocation, uvec2 imageSize) {
+/// The first pixel of a tile. The last tiles reach beyond the picture.
+uvec2 cornerOfTile(uint tile, uvec2 imageSize) {
     uint tilesPerRow = (imageSize.x + kTileSize - 1u) / kTileSize;
-    uvec2 corner = kTileSize * uvec2(tile % tilesPerRow, tile / tilesPerRow);
-    return corner + uvec2(evenBits(invocation), evenBits(invocation >> 1u));
+    return kTileSize * uvec2(tile % tilesPerRow, tile / tilesPerRow);
+}
+
+/// Pixel of a tile by its number: along a Z curve, so that a subgroup's rays stay together.
+uvec2 pixelInTile(uvec2 corner, uint item) {
+    return corner + uvec2(evenBits(item), evenBits(item >> 1u));
 }
 
 #endif

@@ -15,7 +15,7 @@ layout(set = 0, binding = kBindingFirstHits) writeonly buffer FirstHits {
 
 void main() {
     uint tile = parameters.firstTile + gl_WorkGroupID.x;
-    uvec2 pixel = pixelOfInvocation(tile, gl_LocalInvocationIndex, parameters.cropSize);
+    uvec2 pixel = pixelInTile(cornerOfTile(tile, parameters.cropSize), gl_LocalInvocationIndex);
     if (any(greaterThanEqual(pixel, parameters.cropSize)))
         return;
     uvec2 inTile = pixel % kTileSize;

@@ -16,29 +16,32 @@ layout(local_size_x_id = kConstantSubgroupSize) in;
 
 void main() {
     PathLimits limits = PathLimits(parameters.maxBounces, parameters.lightCount);
-    TileWork work = TileWork(uint((parameters.firstTile + gl_WorkGroupID.x) *
-                                  parameters.tileStride % parameters.tileCount),
-                             0u);
-    Lane lane = resumeLane(work);
+    TileWork work;
+    Lane lane = resumeLane((parameters.firstTile + gl_WorkGroupID.x) * parameters.tileStride %
+                               parameters.tileCount,
+                           work);
     Traversal traversal = noTraversal();
     IterationCount count = IterationCount(0u, parameters.iterationBudget);
-    bool isResumed = lane.hasPath;
     bool isInBudget = true;
     do {
-        bool isThrough = !isUnderWay(traversal);
-        if (isThrough && lane.hasPath && !isResumed) {
-            lane.raysEnded++;
-            if (!extendPath(lane.path, traversal.hit, limits))
-                endPath(lane);
-        }
-        isResumed = false;
+        if (lane.hasPath && !lane.hasRay && !isUnderWay(traversal))
+            meetSurface(lane, traversal.hit, limits);
         takeUpWork(work, lane);
-        if (isThrough && lane.hasPath) {
-            traversal = startTraversal(lane.path.ray, lane.path.isShadowed, lane.path.target);
-            stackSize = 0u;
-        }
-        isInBudget = followRays(traversal, lane.path.ray, lanesWhere(lane.hasPixel), count) &&
-                     countIteration(count);
+        uint atWork = lanesWhere(lane.hasPixel);
+        do {
+            if (lane.hasRay) {
+                traversal = startTraversal(lane.path.ray, lane.path.isShadowed, lane.path.target);
+                stackSize = 0u;
+                lane.hasRay = false;
+            }
+            isInBudget = followRays(traversal, lane.path.ray, atWork, count);
+            if (hasLights && lane.path.isShadowed && !isUnderWay(traversal) && lane.hasPath &&
+                !traversal.hit.isTransparent)
+                settleShadow(lane, traversal.hit);
+            isInBudget = isInBudget && countIteration(count);
+        } while (areEnough(lane.hasRay || isUnderWay(traversal), kPathEighths, atWork) &&
+                 isInBudget);
+        isInBudget = isInBudget && countIteration(count);
     } while (lanesWhere(lane.hasPixel) > 0u && isInBudget);
     putDown(work, lane);
 }

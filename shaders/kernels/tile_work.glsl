@@ -14,12 +14,11 @@ layout(set = 0, binding = kBindingParkedPaths) buffer ParkedPaths { ParkedPath p
 
 struct TileWork {
     uint tile;
+    uvec2 corner;  ///< its first pixel
     uint nextItem; ///< the first pixel that no lane has taken, in the order of the tile
 };
 
-uvec2 pixelOf(TileWork work, Lane lane) {
-    return pixelOfInvocation(work.tile, lane.item, parameters.cropSize);
-}
+uvec2 pixelOf(TileWork work, Lane lane) { return pixelInTile(work.corner, lane.item); }
 
 bool isInPicture(uvec2 pixel) { return all(lessThan(pixel, parameters.cropSize)); }
 
@@ -52,21 +51,26 @@ void takeUpWork(inout TileWork work, inout Lane lane) {
     if (lane.hasPixel && !lane.hasPath && uint(lane.sum.w) < parameters.sampleEnd) {
         lane.path = startPath(sampleIdOf(pixelOf(work, lane), lane), camera, parameters.imageSize);
         lane.hasPath = true;
+        lane.hasRay = true;
     }
 }
 
 uint parkingPlace(TileWork work) { return work.tile * gl_SubgroupSize + gl_SubgroupInvocationID; }
 
 /// Goes on where the last dispatch put the tile down, or begins it anew.
-Lane resumeLane(inout TileWork work) {
+Lane resumeLane(uint tile, out TileWork work) {
+    work.tile = tile;
     ParkedPath parked = parkedPaths[parkingPlace(work)];
     bool isNew = parked.nextItem == 0u;
+    work.corner = cornerOfTile(tile, parameters.cropSize);
     work.nextItem = isNew ? gl_SubgroupSize : parked.nextItem;
     Lane lane;
     lane.item = isNew ? gl_SubgroupInvocationID : parked.item;
     loadPixel(work, lane);
     lane.hasPath = !isNew && (parked.state & kLaneHasPath) != 0u;
     lane.path = unpark(parked, sampleIdOf(pixelOf(work, lane), lane));
+    lane.hasRay = lane.hasPath;
+    lane.isOver = false;
     lane.raysEnded = 0u;
     lane.pathsEnded = 0u;
     lane.pathsLost = 0u;
@@ -77,10 +81,10 @@ Lane resumeLane(inout TileWork work) {
 /// Stores what the lane has, and adds up what the subgroup did. A ray that has had the whole
 /// dispatch to itself and is not through yet never will be: its path ends.
 void putDown(TileWork work, inout Lane lane) {
-    if (lane.hasPath && lane.raysEnded == 0u) {
+    bool isCut = lane.hasPath && lane.raysEnded == 0u;
+    lane.pathsCut += isCut ? 1u : 0u;
+    if (isCut || lane.isOver)
         endPath(lane);
-        lane.pathsCut++;
-    }
     uvec2 pixel = pixelOf(work, lane);
     if (lane.hasPixel && isInPicture(pixel))
         imageStore(block, ivec2(pixel), lane.sum);

@@ -15,7 +15,7 @@ SurfaceSample sampleTriangleLight(Triangle triangle, float area, vec3 reference,
     vec3 along2 = b.y * edge2;
     SurfaceSample point;
     point.position = triangle.v0 + (along1 + along2);
-    point.normal = triangleNormal(edge1, edge2);
+    point.normal = normalOf(triangle);
     point.error = triangleError(point.position, along1, along2, point.normal);
     point.wi = normalize(point.position - reference);
     point.coordinates = b;

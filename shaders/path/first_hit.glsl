@@ -14,7 +14,7 @@ const uint kMostPassedSurfaces = 1024u;
 /// than half of the light meets the surface.
 bool isSeenThrough(Interaction surface) {
     bool seenThrough = isHiddenFromCamera(surface.light);
-    if (hasAlpha && (surface.material & kTransparentBit) != 0u)
+    if (hasAlpha && isTransparent(surface.material))
         seenThrough = seenThrough || alphaAt(materialOf(surface), surface.coordinates.uv) < 0.5;
     return seenThrough;
 }

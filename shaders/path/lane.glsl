@@ -12,6 +12,8 @@ struct Lane {
     uint item; ///< its pixel, in the order of the tile
     bool hasPixel;
     bool hasPath;
+    bool hasRay; ///< the path's, not yet on its way
+    bool isOver; ///< the path, but its sample does not count yet
     Path path;
     vec4 sum; ///< of the pixel's radiance, and in w its samples
     uint raysEnded;
@@ -20,13 +22,29 @@ struct Lane {
     uint pathsLost; ///< that came out as no finite number
 };
 
-/// The lane's path is over: its sample counts.
+/// Adds the sample of a path that is over.
 void endPath(inout Lane lane) {
     bool finite = isFinite(lane.path.radiance) && isFinite(lane.path.throughput);
     lane.sum += vec4(finite ? lane.path.radiance : vec3(0.0), 1.0);
     lane.pathsLost += finite ? 0u : 1u;
     lane.pathsEnded++;
     lane.hasPath = false;
+}
+
+/// The ray to a light is through: on with the path's own.
+void settleShadow(inout Lane lane, Hit hit) {
+    lane.raysEnded++;
+    lane.hasRay = reachLight(lane.path, hit);
+    lane.isOver = !lane.hasRay;
+}
+
+/// The path's ray is through: it meets what is there, or ends.
+void meetSurface(inout Lane lane, Hit hit, PathLimits limits) {
+    lane.raysEnded += lane.isOver ? 0u : 1u;
+    lane.hasRay = !lane.isOver && extendPath(lane.path, hit, limits);
+    lane.isOver = false;
+    if (!lane.hasRay)
+        endPath(lane);
 }
 
 ParkedPath park(Lane lane, uint nextItem) {

@@ -61,7 +61,7 @@ vec3 emittedLight(Path path, Interaction surface, Light light) {
 /// same primitive asks twice, so the sides have numbers of their own.
 bool passesThrough(Path path, Interaction surface) {
     bool passes = path.bounce == 0u && isHiddenFromCamera(surface.light);
-    if (hasAlpha && (surface.material & kTransparentBit) != 0u) {
+    if (hasAlpha && isTransparent(surface.material)) {
         uint fromBehind = dot(path.ray.direction, surface.ng) > 0.0 ? 1u : 0u;
         float u = uniformRandomOf(path.id, bounceDimension(path.bounce, kDimensionAlpha),
                                   2u * surface.id + fromBehind);
@@ -108,22 +108,25 @@ bool scatter(inout Path path, Interaction surface, PathLimits limits) {
     return goesOn;
 }
 
-/// Takes in what the ray to a light met, and goes on behind it or in the path's own direction.
-/// False where the path ends.
+/// Takes in whether the ray to a light arrived, and goes on in the path's own direction. False
+/// where the path ends.
 bool reachLight(inout Path path, Hit hit) {
-    if (hasAlpha && hit.primitive != kNone && isTransparent(hit)) {
-        Interaction surface = interactionAt(hit, path.ray);
-        path.arriving *= 1.0 - alphaAt(materialOf(surface), surface.coordinates.uv);
-        path.ray = rayBeyond(surface, path.ray);
-        if (greatest(path.arriving) > 0.0)
-            return true;
-    }
     path.radiance += hit.primitive == kNone ? path.arriving : vec3(0.0);
     return goOn(path);
 }
 
+/// The ray to a light goes on behind a surface that lets a share of it through.
+bool passShadow(inout Path path, Hit hit) {
+    Interaction surface = interactionAt(hit, path.ray);
+    path.arriving *= 1.0 - alphaAt(materialOf(surface), surface.coordinates.uv);
+    path.ray = rayBeyond(surface, path.ray);
+    return greatest(path.arriving) > 0.0 || goOn(path);
+}
+
 /// Takes in what the path's ray met, if anything, and sets its next ray. False where the path ends.
 bool extendPath(inout Path path, Hit hit, PathLimits limits) {
+    if (hasAlpha && path.isShadowed && hit.isTransparent)
+        return passShadow(path, hit);
     if (hasLights && path.isShadowed)
         return reachLight(path, hit);
     if (hit.primitive == kNone) {

@@ -30,10 +30,13 @@ BvhNode loadNode(uint index) {
 }
 
 Triangle loadTriangle(uint index) {
-    uvec4 row0 = texelFetch(triangleRows, int(3u * index));
-    uvec4 row1 = texelFetch(triangleRows, int(3u * index + 1u));
-    uvec4 row2 = texelFetch(triangleRows, int(3u * index + 2u));
-    return Triangle(floats(row0), row0.w, floats(row1), row1.w, floats(row2), row2.w);
+    uvec4 row0 = texelFetch(triangleRows, int(4u * index));
+    uvec4 row1 = texelFetch(triangleRows, int(4u * index + 1u));
+    uvec4 row2 = texelFetch(triangleRows, int(4u * index + 2u));
+    uvec4 row3 = texelFetch(triangleRows, int(4u * index + 3u));
+    vec3 normal = uintBitsToFloat(uvec3(row0.w, row1.w, row2.w));
+    return Triangle(floats(row0), normal.x, floats(row1), normal.y, floats(row2), normal.z, row3.x,
+                    row3.y, row3.z, row3.w);
 }
 
 TriangleNormals loadTriangleNormals(uint index) {

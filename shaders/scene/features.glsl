@@ -34,6 +34,7 @@ layout(constant_id = kFeatureLens) const bool hasLens = true;
 layout(constant_id = kFeatureOrthographic) const bool hasOrthographic = true;
 
 const bool hasQuadrics = hasSpheres || hasCylinders || hasCones || hasDisks;
+const bool hasShadingNormals = hasSmoothNormals || hasNormalMaps;
 const bool hasQuadricLights =
     hasSphereLights || hasCylinderLights || hasConeLights || hasDiskLights;
 const bool hasLights = hasTriangleLights || hasQuadricLights || hasBackground;

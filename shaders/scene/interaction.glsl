@@ -44,13 +44,12 @@ Interaction triangleInteraction(uint index, Ray ray) {
     Triangle triangle = loadTriangle(index);
     vec3 edge1 = triangle.v1 - triangle.v0;
     vec3 edge2 = triangle.v2 - triangle.v0;
-    vec2 b = triangleBarycentrics(shearedRay(ray.origin, ray.direction), triangle.v0, triangle.v1,
-                                  triangle.v2);
+    vec2 b = triangleBarycentrics(shearedRay(ray.origin, ray.direction), triangle);
     vec3 along1 = b.x * edge1;
     vec3 along2 = b.y * edge2;
     Interaction surface;
     surface.position = triangle.v0 + (along1 + along2);
-    surface.ng = triangleNormal(edge1, edge2);
+    surface.ng = normalOf(triangle);
     surface.error = triangleError(surface.position, along1, along2, surface.ng);
     surface.ns = surface.ng;
     surface.horizon = surface.ng;

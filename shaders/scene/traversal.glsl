@@ -13,24 +13,23 @@
 
 struct Hit {
     float t;
-    uint primitive; ///< as kQuadricBit says; kNone for no hit
-    uint material;  ///< index, with kTransparentBit
+    uint primitive;     ///< as kQuadricBit says; kNone for no hit
+    bool isTransparent; ///< it may let light through
 };
+
+bool isTransparent(uint material) { return (material & kTransparentBit) != 0u; }
 
 /// The ray's crossing with one primitive; t is kFar where there is none.
 Hit intersectPrimitive(uint primitive, Ray ray, ShearedRay sheared) {
     if (hasQuadrics && (!hasTriangles || (primitive & kQuadricBit) != 0u)) {
         Quadric quadric = loadQuadric(primitive & ~kQuadricBit);
         float t = intersectQuadric(quadric, ray.origin, ray.direction);
-        return Hit(t, primitive, quadric.material);
+        return Hit(t, primitive, isTransparent(quadric.material));
     }
     Triangle triangle = loadTriangle(primitive);
-    float t = intersectTriangle(sheared, triangle.v0, triangle.v1, triangle.v2);
-    return Hit(t, primitive, triangle.material);
+    float t = intersectTriangle(sheared, triangle);
+    return Hit(t, primitive, isTransparent(triangle.material));
 }
-
-/// True where the hit may let light through.
-bool isTransparent(Hit hit) { return hasAlpha && (hit.material & kTransparentBit) != 0u; }
 
 /// A ray on its way through the tree, but for what it has put aside on a stack of its own.
 struct Traversal {
@@ -46,8 +45,8 @@ struct Traversal {
 
 Traversal startTraversal(Ray ray, bool anyHit, uint skipped) {
     return Traversal(nodeRay(ray.origin, ray.direction), shearedRay(ray.origin, ray.direction),
-                     Hit(ray.tMax, kNone, 0u), rootGroup(), kNoPrimitives, kNoPrimitives, skipped,
-                     anyHit);
+                     Hit(ray.tMax, kNone, false), rootGroup(), kNoPrimitives, kNoPrimitives,
+                     skipped, anyHit);
 }
 
 /// A ray that has nowhere to go.
@@ -89,12 +88,12 @@ void testPrimitive(inout Traversal traversal, Ray ray) {
     bool isNearest = isActive && crossing.t < traversal.hit.t && primitive != traversal.skipped;
     traversal.hit.t = isNearest ? crossing.t : traversal.hit.t;
     traversal.hit.primitive = isNearest ? primitive : traversal.hit.primitive;
-    traversal.hit.material = isNearest ? crossing.material : traversal.hit.material;
+    traversal.hit.isTransparent = isNearest ? crossing.isTransparent : traversal.hit.isTransparent;
 }
 
 /// Whether nothing that is left could matter.
 bool isSettled(Traversal traversal) {
-    return traversal.anyHit && traversal.hit.primitive != kNone && !isTransparent(traversal.hit);
+    return traversal.anyHit && traversal.hit.primitive != kNone && !traversal.hit.isTransparent;
 }
 
 /// After a test: what was postponed is next, and nothing where the ray is settled.

@@ -9,14 +9,11 @@
 // left of the test is that the origin lies in the box about the projection, which every triangle
 // that contains it passes. There is no threshold on the determinant: small triangles are not lost.
 //
-// Whether the hit lies ahead is decided by the plane: with the normal n of any length and s the
-// vector from the origin to a corner, t = n.s / n.d. The two shorter edges make n, so a needle's
-// does not suffer from the lengths of the others. Each component of n carries gamma_4 of
-//     m_i = |e1_j e2_k| + |e1_k e2_j|
-// (two differences, a product and their difference), so n.s and n.d carry gamma_8 of m.|s| and
-// m.|d|. Where both are larger than that, their signs are certain: a ray does not meet the plane
-// that it leaves, and a hit is not lost however thin the triangle is, from sizes of 1e-12 m on,
-// below which the products underflow. Else the origin lies in the plane, or the ray runs along it,
+// Whether the hit lies ahead is decided by the plane: with the unit normal n and s the vector from
+// the origin to a corner, t = n.s / n.d. The host rounds n once, so n.s carries gamma_5 of |n|.|s|
+// (n, a difference, a product and two sums), and n.d gamma_4 of |n|.|d|. Where both are larger than
+// that, their signs are certain: a ray does not meet the plane that it leaves, and a hit is not
+// lost however thin the triangle is. Else the origin lies in the plane, or the ray runs along it,
 // as far as float can tell; the hit then counts if all of the triangle lies ahead. The hit is a
 // mean of the corners, so t is held to their range.
 #ifndef CALOTYPE_SHAPES_TRIANGLE_GLSL
@@ -25,6 +22,7 @@
 #include "core/constants.glsl"
 #include "core/rounding.glsl"
 #include "core/select.glsl"
+#include "shapes/triangle_point.glsl"
 
 /// A ray prepared for many triangles: its longest axis becomes z, the other two follow in turn.
 struct ShearedRay {
@@ -56,10 +54,10 @@ struct ShearedTriangle {
     vec3 z; ///< of the three corners, in units of the direction
 };
 
-ShearedTriangle shearTriangle(ShearedRay ray, vec3 v0, vec3 v1, vec3 v2) {
-    precise vec3 a = turnAxes(v0 - ray.origin, ray.axis);
-    precise vec3 b = turnAxes(v1 - ray.origin, ray.axis);
-    precise vec3 c = turnAxes(v2 - ray.origin, ray.axis);
+ShearedTriangle shearTriangle(ShearedRay ray, Triangle triangle) {
+    precise vec3 a = turnAxes(triangle.v0 - ray.origin, ray.axis);
+    precise vec3 b = turnAxes(triangle.v1 - ray.origin, ray.axis);
+    precise vec3 c = turnAxes(triangle.v2 - ray.origin, ray.axis);
     precise vec2 pa = a.xy - ray.shear.xy * a.z;
     precise vec2 pb = b.xy - ray.shear.xy * b.z;
     precise vec2 pc = c.xy - ray.shear.xy * c.z;
@@ -81,33 +79,17 @@ bool isInBox(ShearedTriangle seen) {
     return greater(lower.x, lower.y) <= 0.0 && lesser(upper.x, upper.y) >= 0.0;
 }
 
-/// The two shorter edges, so directed that their cross product is the front's normal.
-void shorterEdges(vec3 v0, vec3 v1, vec3 v2, out vec3 edge1, out vec3 edge2) {
-    vec3 edges[3] = vec3[3](v1 - v0, v2 - v1, v0 - v2);
-    float length0 = greatest(abs(edges[0]));
-    float length1 = greatest(abs(edges[1]));
-    float length2 = greatest(abs(edges[2]));
-    bool longest0 = length0 >= length1 && length0 >= length2;
-    bool longest1 = !longest0 && length1 >= length2;
-    edge1 = longest0 ? edges[1] : longest1 ? edges[2] : edges[0];
-    edge2 = longest0 ? edges[2] : longest1 ? edges[0] : edges[1];
-}
-
 /// Parameter of the hit, or kFar.
-float intersectTriangle(ShearedRay ray, vec3 v0, vec3 v1, vec3 v2) {
-    ShearedTriangle seen = shearTriangle(ray, v0, v1, v2);
+float intersectTriangle(ShearedRay ray, Triangle triangle) {
+    ShearedTriangle seen = shearTriangle(ray, triangle);
     vec3 e = edgeFunctions(seen.a, seen.b, seen.c);
     bool inside = (least(e) >= 0.0 || greatest(e) <= 0.0) && isInBox(seen);
 
-    vec3 edge1, edge2;
-    shorterEdges(v0, v1, v2, edge1, edge2);
-    vec3 plus = edge1.yzx * edge2.zxy;
-    vec3 minus = edge1.zxy * edge2.yzx;
-    vec3 normal = plus - minus;
-    vec3 magnitude = GAMMA(8.0) * (abs(plus) + abs(minus));
-    vec3 toPlane = v0 - ray.origin;
+    vec3 normal = normalOf(triangle);
+    vec3 toPlane = triangle.v0 - ray.origin;
     float height = dot(normal, toPlane);
     float approach = dot(normal, ray.direction);
+    vec3 magnitude = GAMMA(5.0) * abs(normal);
     bool isCertain = abs(height) > dot(magnitude, abs(toPlane)) &&
                      abs(approach) > dot(magnitude, abs(ray.direction));
 

@@ -27,8 +27,8 @@ vec3 weightsOnLongestEdge(ShearedTriangle seen) {
 }
 
 /// Weights of the second and third corner at a hit; each in [0, 1], and so is what they leave.
-vec2 triangleBarycentrics(ShearedRay ray, vec3 v0, vec3 v1, vec3 v2) {
-    ShearedTriangle seen = shearTriangle(ray, v0, v1, v2);
+vec2 triangleBarycentrics(ShearedRay ray, Triangle triangle) {
+    ShearedTriangle seen = shearTriangle(ray, triangle);
     vec3 e = vec3(differenceOfProducts(seen.c.x, seen.b.y, seen.c.y, seen.b.x),
                   differenceOfProducts(seen.a.x, seen.c.y, seen.a.y, seen.c.x),
                   differenceOfProducts(seen.b.x, seen.a.y, seen.b.y, seen.a.x));

@@ -3,13 +3,10 @@
 #define CALOTYPE_SHAPES_TRIANGLE_POINT_GLSL
 
 #include "core/rounding.glsl"
+#include "shared/scene_structs.h"
 
-/// Unit normal of a triangle, whatever its size: the edges are scaled to about one first, so that
-/// their product neither underflows nor overflows.
-vec3 triangleNormal(vec3 edge1, vec3 edge2) {
-    vec3 magnitude = max(abs(edge1), abs(edge2));
-    float scale = 1.0 / max(max(magnitude.x, magnitude.y), magnitude.z);
-    return normalize(cross(edge1 * scale, edge2 * scale));
+vec3 normalOf(Triangle triangle) {
+    return vec3(triangle.normalX, triangle.normalY, triangle.normalZ);
 }
 
 /// Bound on the distance along the normal between the plane and p = v0 + (along1 + along2), where

@@ -26,6 +26,8 @@ CALOTYPE_CONSTANT uint kBindingCounters = 12; ///< storage buffer
 CALOTYPE_CONSTANT uint kBindingFirstHits = 13;
 /// Storage buffer of one ParkedPath per lane of every tile.
 CALOTYPE_CONSTANT uint kBindingParkedPaths = 14;
+CALOTYPE_CONSTANT uint kBindingRays = 15;       ///< storage buffer of ListedRay
+CALOTYPE_CONSTANT uint kBindingListedHits = 16; ///< storage buffer of ListedHit
 
 // Scene features: what the kernel is specialised for. All default to true.
 CALOTYPE_CONSTANT uint kFeatureTriangles = 0;

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "kernels/coordinates.spv.h"
+#include "pack/pack_shapes.h"
 #include "render/scene_buffers.h"
 #include "scene/far_texels.h"
 #include "support/gpu_test.h"
@@ -21,8 +22,8 @@ public:
     explicit FarSquare(double start) : start_(start) {
         const auto u0 = static_cast<float>(start);
         const auto u1 = static_cast<float>(start + 1.0);
-        scene_.triangles = {{{0, 0, 0}, 0, {1, 0, 0}, 0, {1, 1, 0}, 0},
-                            {{0, 0, 0}, 0, {1, 1, 0}, 0, {0, 1, 0}, 0}};
+        scene_.triangles = {packTriangle({0, 0, 0}, {1, 0, 0}, {1, 1, 0}),
+                            packTriangle({0, 0, 0}, {1, 1, 0}, {0, 1, 0})};
         scene_.triangleUvs = {{{u0, u0}, {u1, u0}, {u1, u1}, 0, 0},
                               {{u0, u0}, {u1, u1}, {u0, u1}, 0, 0}};
     }

@@ -4,6 +4,7 @@
 #include "kernels/layout_echo.spv.h"
 #include "render/scene_buffers.h"
 #include "shared/bindings.h"
+#include "shared/ray_structs.h"
 #include "shared/render_structs.h"
 #include "support/gpu_test.h"
 #include "support/kernels/test_structs.h"
@@ -64,6 +65,9 @@ TEST_F(Layout, IsTheSameInHostAndKernel) {
 
     const std::array parked = {gpu::ParkedPath{}, distinct.make<gpu::ParkedPath>()};
 
+    const std::array rays = {gpu::ListedRay{}, distinct.make<gpu::ListedRay>()};
+    const std::array hits = {gpu::ListedHit{}, distinct.make<gpu::ListedHit>()};
+
     const Device& device = testDevice();
     const SceneBuffers buffers(device, scene);
     const Buffer cameraBuffer = uploadBuffer(device, std::as_bytes(std::span(&camera, 1)),
@@ -76,6 +80,10 @@ TEST_F(Layout, IsTheSameInHostAndKernel) {
     const Buffer parkedBuffer =
         uploadBuffer(device, std::as_bytes(std::span(parked)),
                      vk::BufferUsageFlagBits::eStorageBuffer, "parked paths");
+    const Buffer raysBuffer = uploadBuffer(device, std::as_bytes(std::span(rays)),
+                                           vk::BufferUsageFlagBits::eStorageBuffer, "rays");
+    const Buffer hitsBuffer = uploadBuffer(device, std::as_bytes(std::span(hits)),
+                                           vk::BufferUsageFlagBits::eStorageBuffer, "hits");
     const Buffer echo(device, distinct.words().size() * sizeof(uint32_t),
                       vk::BufferUsageFlagBits::eStorageBuffer, Buffer::Memory::Host, "echo");
     std::vector<Binding> bindings = buffers.bindings();
@@ -83,6 +91,8 @@ TEST_F(Layout, IsTheSameInHostAndKernel) {
     bindings.push_back(Binding::storageBuffer(gpu::kBindingCounters, countersBuffer));
     bindings.push_back(Binding::storageBuffer(gpu::kBindingFirstHits, recordsBuffer));
     bindings.push_back(Binding::storageBuffer(gpu::kBindingParkedPaths, parkedBuffer));
+    bindings.push_back(Binding::storageBuffer(gpu::kBindingRays, raysBuffer));
+    bindings.push_back(Binding::storageBuffer(gpu::kBindingListedHits, hitsBuffer));
     bindings.push_back(Binding::storageBuffer(gpu::kBindingTestOutputs, echo));
     const ComputePipeline pipeline(device, {.name = "layout echo",
                                             .spirv = kLayoutEchoSpirv,

@@ -1,5 +1,6 @@
 #include <glm/geometric.hpp>
 
+#include "render/ray_list.h"
 #include "support/device_numbers.h"
 #include "support/gpu_test.h"
 #include "support/oracle_quadric.h"
@@ -38,6 +39,21 @@ Shape randomShape(const glm::dvec3& center, double size, RandomNumbers& random) 
                                       center + size * random.inBall(),
                                       center + size * random.inBall()));
     }
+}
+
+/// What the loops of the rendering kernels find.
+std::vector<PrimitiveScene::Traversed>
+traceList(const GpuScene& scene, const std::vector<gpu::TestRay>& rays, RayKind kind) {
+    std::vector<gpu::ListedRay> listed;
+    for (const gpu::TestRay& ray : rays)
+        listed.push_back({ray.origin, ray.tMax, ray.direction, gpu::kNone});
+    const SceneBuffers buffers(testDevice(), scene);
+    RayListTracer tracer(testDevice(), scene, buffers, listed, kind);
+    tracer.trace();
+    std::vector<PrimitiveScene::Traversed> found;
+    for (const gpu::ListedHit& hit : tracer.hits())
+        found.push_back({hit.t, hit.primitive, 0, 0});
+    return found;
 }
 
 enum class Arrangement { Scattered, Clustered, Coincident };
@@ -143,10 +159,12 @@ TEST_P(Traversal, FindsWhatBruteForceFinds) {
 
     std::vector<gpu::TestRay> rays = makeRays(std::min(20'000u, kTests / GetParam().count), random);
     const auto closest = onDevice.traverse(rays);
+    const auto closestOfList = traceList(built.packed, rays, RayKind::afterBounces(0));
     uint32_t hits = 0;
     for (size_t i = 0; i < rays.size(); ++i) {
         hits += closest[i].primitive != gpu::kNone ? 1 : 0;
         ASSERT_EQ(oracle.judge(rays[i], closest[i]), "") << "ray " << i;
+        ASSERT_EQ(oracle.judge(rays[i], closestOfList[i]), "") << "listed ray " << i;
     }
     RecordProperty("hits", std::to_string(hits));
 
@@ -157,9 +175,11 @@ TEST_P(Traversal, FindsWhatBruteForceFinds) {
             closest[i].primitive == gpu::kNone ? kFar : closest[i].t * (i % 2 ? 1.001f : 1.0f);
     }
     const auto any = onDevice.traverse(rays);
+    const auto anyOfList = traceList(built.packed, rays, RayKind::shadow());
     for (size_t i = 0; i < rays.size(); ++i) {
         const bool reaches = closest[i].primitive != gpu::kNone && i % 2 == 1;
         ASSERT_EQ(any[i].primitive != gpu::kNone, reaches) << "ray " << i;
+        ASSERT_EQ(anyOfList[i].primitive != gpu::kNone, reaches) << "listed ray " << i;
     }
 }
 

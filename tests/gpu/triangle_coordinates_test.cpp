@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "gpu/coordinates_at.h"
+#include "pack/pack_shapes.h"
 #include "support/test_quadrics.h"
 
 namespace calotype::test {
@@ -12,12 +13,11 @@ namespace {
 gpu::Triangle randomTriangle(double size, RandomNumbers& random) {
     const glm::dmat3 frame = randomRotation(random);
     const glm::dvec3 corner = size * random.inBall();
-    gpu::Triangle triangle{};
-    triangle.v0 = glm::vec3(corner);
-    triangle.v1 = glm::vec3(corner + size * frame[0]);
-    triangle.v2 = glm::vec3(corner + size * (random.between(-1.0, 1.0) * frame[0] +
-                                             random.between(0.3, 1.0) * frame[2]));
-    return triangle;
+    const glm::vec3 v0(corner);
+    const glm::vec3 v1(corner + size * frame[0]);
+    const glm::vec3 v2(corner + size * (random.between(-1.0, 1.0) * frame[0] +
+                                        random.between(0.3, 1.0) * frame[2]));
+    return packTriangle(v0, v1, v2);
 }
 
 gpu::TestRay rayOnto(const gpu::Triangle& triangle, uint32_t index, RandomNumbers& random) {

@@ -1,3 +1,4 @@
+#include "pack/pack_shapes.h"
 #include "support/device_numbers.h"
 #include "support/gpu_test.h"
 #include "support/oracle_triangle.h"
@@ -41,12 +42,10 @@ gpu::Triangle randomTriangle(const glm::dvec3& center, double size, double thinn
                              RandomNumbers& random) {
     const glm::dvec3 along = size * random.direction();
     const glm::dvec3 across = glm::normalize(glm::cross(along, random.direction()));
-    gpu::Triangle triangle{};
-    triangle.v0 = glm::vec3(center - random.unit() * along);
-    triangle.v1 = glm::vec3(glm::dvec3(triangle.v0) + along);
-    triangle.v2 =
-        glm::vec3(glm::dvec3(triangle.v0) + random.unit() * along + size * thinness * across);
-    return triangle;
+    const glm::vec3 v0 = glm::vec3(center - random.unit() * along);
+    const glm::vec3 v1(glm::dvec3(v0) + along);
+    const glm::vec3 v2(glm::dvec3(v0) + random.unit() * along + size * thinness * across);
+    return packTriangle(v0, v1, v2);
 }
 
 TriangleCase makeCase(double relativeSize, double thinness, RandomNumbers& random) {

@@ -52,6 +52,6 @@ std::vector<Out> runKernel(std::span<const uint32_t> spirv, const std::vector<In
 }
 
 /// First binding of the input and output arrays in kernels that include scene/buffers.glsl.
-inline constexpr uint32_t kTestInputBinding = 16;
+inline constexpr uint32_t kTestInputBinding = 20;
 
 } // namespace calotype::test

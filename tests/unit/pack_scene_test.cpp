@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "pack/pack_shapes.h"
+#include "support/random_numbers.h"
 #include "support/test_scenes.h"
 
 namespace calotype::test {
@@ -197,6 +198,34 @@ TEST(PackScene, OfNothingHasArraysAllTheSame) {
     EXPECT_EQ(scene.quadrics.size(), 1u);
     EXPECT_EQ(scene.lights.size(), 1u);
     EXPECT_EQ(featuresOf(scene), Features{gpu::kFeatureTriangles});
+}
+
+TEST(PackTriangle, NormalIsThatOfThePackedCorners) {
+    RandomNumbers random(81);
+    for (int i = 0; i < 10'000; ++i) {
+        const double size = random.powerOfTen(-10.0, 10.0);
+        const glm::vec3 v0(size * random.inBall());
+        const glm::vec3 v1(size * random.inBall());
+        // Needles among them.
+        const glm::vec3 v2(glm::dvec3(v0) + random.powerOfTen(-5.0, 0.0) * size * random.inBall());
+        const gpu::Triangle packed = packTriangle(v0, v1, v2);
+        const glm::dvec3 cross =
+            glm::cross(glm::dvec3(v1) - glm::dvec3(v0), glm::dvec3(v2) - glm::dvec3(v0));
+        const glm::dvec3 normal = cross / glm::length(cross);
+        const glm::dvec3 rounded(packed.normalX, packed.normalY, packed.normalZ);
+        for (int axis = 0; axis < 3; ++axis)
+            ASSERT_NEAR(rounded[axis], normal[axis], 0x1p-24 * std::abs(normal[axis]) + 1e-10);
+    }
+}
+
+TEST(PackTriangle, NormalOfCornersThatRoundingJoinsIsTheExactOne) {
+    Mesh mesh = singleTriangle({1e9, 0, 0}, {1e9, 1e-3, 0}, {1e9, 0, 1e-3});
+    const gpu::Triangle packed = packTriangle(mesh, 0, {0.0, 0.0, 0.0}, 0);
+    EXPECT_EQ(glm::vec3(packed.normalX, packed.normalY, packed.normalZ), glm::vec3(1, 0, 0));
+    mesh.positions = {{1e9, 0, 1e9}, {1e9, 1e-3, 1e9}, {1e9 + 1e-3, 0, 1e9}};
+    const gpu::Triangle joined = packTriangle(mesh, 0, {0.0, 0.0, 0.0}, 0);
+    EXPECT_EQ(joined.v0, joined.v2);
+    EXPECT_NEAR(joined.normalZ, -1.0f, 1e-6f);
 }
 
 TEST(AreaOf, IsThatOfTheWholeSurface) {

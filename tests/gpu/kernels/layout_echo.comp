@@ -4,6 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 
 #include "scene/buffers.glsl"
+#include "shared/ray_structs.h"
 #include "shared/render_structs.h"
 #include "support/kernels/test_structs.h"
 
@@ -22,6 +23,8 @@ layout(set = 0, binding = kBindingFirstHits) readonly buffer FirstHits {
 layout(set = 0, binding = kBindingParkedPaths) readonly buffer ParkedPaths {
     ParkedPath parkedPaths[];
 };
+layout(set = 0, binding = kBindingRays) readonly buffer Rays { ListedRay rays[]; };
+layout(set = 0, binding = kBindingListedHits) readonly buffer ListedHits { ListedHit hits[]; };
 layout(set = 0, binding = kBindingTestOutputs) writeonly buffer Outputs { uint words[]; };
 
 uint count = 0u;
@@ -45,11 +48,15 @@ void put(vec3 v) {
 void putTriangles() {
     Triangle t = loadTriangle(1u);
     put(t.v0);
-    put(t.material);
+    put(t.normalX);
     put(t.v1);
-    put(t.light);
+    put(t.normalY);
     put(t.v2);
+    put(t.normalZ);
+    put(t.material);
+    put(t.light);
     put(t.id);
+    put(t.pad0);
     TriangleNormals n = loadTriangleNormals(1u);
     put(n.n0);
     put(n.pad0);
@@ -206,6 +213,15 @@ void putParkedPath() {
     put(p.nextItem);
 }
 
+void putRayList() {
+    put(rays[1].origin);
+    put(rays[1].tMax);
+    put(rays[1].direction);
+    put(rays[1].target);
+    put(hits[1].t);
+    put(hits[1].primitive);
+}
+
 void main() {
     BvhNode node = loadNode(1u);
     put(node.origin);
@@ -231,4 +247,5 @@ void main() {
     putCounters();
     putFirstHit();
     putParkedPath();
+    putRayList();
 }

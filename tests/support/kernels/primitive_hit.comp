@@ -22,7 +22,7 @@ void main() {
     vec2 barycentrics = vec2(0.0);
     if ((test.primitive & kQuadricBit) == 0u) {
         Triangle triangle = loadTriangle(test.primitive);
-        barycentrics = triangleBarycentrics(sheared, triangle.v0, triangle.v1, triangle.v2);
+        barycentrics = triangleBarycentrics(sheared, triangle);
     }
     hits[i] = TestHit(surface.position, hit.t, surface.ng, surface.error, surface.ns, surface.id,
                       barycentrics.x, barycentrics.y, hit.primitive, 0u);

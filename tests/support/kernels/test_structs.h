@@ -8,8 +8,8 @@
 CALOTYPE_BEGIN_SHARED
 
 /// First bindings of the arrays in kernels that include scene/buffers.glsl.
-CALOTYPE_CONSTANT uint kBindingTestInputs = 16;
-CALOTYPE_CONSTANT uint kBindingTestOutputs = 17;
+CALOTYPE_CONSTANT uint kBindingTestInputs = 20;
+CALOTYPE_CONSTANT uint kBindingTestOutputs = 21;
 
 struct TestRay {
     vec3 origin;

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "base/parallel_for.h"
+
+namespace calotype {
+
+/// Calls body(first, last) for consecutive parts of [0, count), on `threads` >= 1 threads. The body
+/// must not throw.
+template <typename Body>
+void parallelChunks(uint64_t count, uint32_t threads, Body&& body) {
+    constexpr uint64_t kChunk = 8192; // a fraction of a millisecond's work, at the least
+    parallelFor(0, (count + kChunk - 1) / kChunk, threads, [&](uint64_t chunk, uint32_t) {
+        body(kChunk * chunk, std::min(kChunk * (chunk + 1), count));
+    });
+}
+
+} // namespace calotype

@@ -1,0 +1,89 @@
+#include "cli/bench_report.h"
+
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+#include "base/check.h"
+#include "cli/progress.h"
+
+namespace calotype {
+namespace {
+
+std::string rateText(const Spread& spread, const std::string& unit) {
+    return withPrefix(spread.median) + " " + unit + "/s (" + withPrefix(spread.least) + " to " +
+           withPrefix(spread.greatest) + ")";
+}
+
+std::string secondsText(double seconds) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3f s", seconds);
+    return text;
+}
+
+std::string mebibytes(uint64_t bytes) { return std::to_string(bytes >> 20) + " MiB"; }
+
+nlohmann::ordered_json toJson(const Spread& spread) {
+    return {{"median", spread.median}, {"min", spread.least}, {"max", spread.greatest}};
+}
+
+} // namespace
+
+Spread spreadOf(std::vector<double> numbers) {
+    CALOTYPE_CHECK_LT(0u, numbers.size());
+    std::ranges::sort(numbers);
+    const size_t half = numbers.size() / 2;
+    const double median =
+        numbers.size() % 2 == 1 ? numbers[half] : 0.5 * (numbers[half - 1] + numbers[half]);
+    return {median, numbers.front(), numbers.back()};
+}
+
+std::string toText(const BenchReport& report) {
+    const auto& [width, height, crop, samples, bounces, seed] = report.settings;
+    const StageSeconds& seconds = report.seconds;
+    std::string text = report.scene + ": " + std::to_string(report.primitives) + " primitives, " +
+                       std::to_string(width) + "x" + std::to_string(height) + ", " +
+                       std::to_string(samples) + " samples per pixel, " + std::to_string(bounces) +
+                       " bounces, on " + report.device.name + "\n";
+    text += "  paths         " + rateText(report.pathsPerSecond, "paths") + "\n";
+    text += "  rays          " + rateText(report.raysPerSecond, "rays") + "\n";
+    for (const TraversalRate& rate : report.traversal) {
+        std::string name = rate.rays + " rays";
+        name.resize(14, ' ');
+        text += "  " + name + rateText(rate.perSecond, "rays") + ", traversal alone\n";
+    }
+    text += "  first sample  " + secondsText(seconds.firstSample) + ": load " +
+            secondsText(seconds.load) + ", build " + secondsText(seconds.build) + ", upload " +
+            secondsText(seconds.upload) + ", compile " + secondsText(seconds.compile) +
+            ", sample " + secondsText(report.firstPassSeconds) + "\n";
+    text += "  memory        " + mebibytes(report.deviceBytes) + " on the device, " +
+            mebibytes(peakMemoryBytes()) + " of the process at most\n";
+    return text;
+}
+
+std::string toJsonLine(const BenchReport& report) {
+    nlohmann::ordered_json json;
+    json["scene"] = report.scene;
+    json["version"] = CALOTYPE_VERSION;
+    json["device"] = report.device.name;
+    json["driver"] = report.device.driver;
+    json["threads"] = report.threads;
+    json["primitives"] = report.primitives;
+    json["resolution"] = {report.settings.width, report.settings.height};
+    json["spp"] = report.settings.samplesPerPixel;
+    json["max_bounces"] = report.settings.maxBounces;
+    json["repeats"] = report.repeats;
+    json["paths_per_second"] = toJson(report.pathsPerSecond);
+    json["rays_per_second"] = toJson(report.raysPerSecond);
+    for (const TraversalRate& rate : report.traversal)
+        json["traversal_rays_per_second"][rate.rays] = toJson(rate.perSecond);
+    json["seconds"] = {
+        {"load", report.seconds.load},           {"build", report.seconds.build},
+        {"upload", report.seconds.upload},       {"compile", report.seconds.compile},
+        {"first_pass", report.firstPassSeconds}, {"first_sample", report.seconds.firstSample}};
+    json["device_memory_bytes"] = report.deviceBytes;
+    json["peak_memory_bytes"] = peakMemoryBytes();
+    return json.dump() + "\n";
+}
+
+} // namespace calotype

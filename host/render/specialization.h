@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "gpu/device.h"
+#include "pack/scene_features.h"
+#include "render/kernel_tuning.h"
+
+namespace calotype {
+
+/// The specialization constants of a kernel, indexed by the identifiers in shared/bindings.h.
+std::vector<uint32_t> specialization(const Device& device, const SceneFeatures& features,
+                                     const KernelTuning& tuning = {});
+
+} // namespace calotype

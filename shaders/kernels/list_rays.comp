@@ -1,0 +1,35 @@
+#version 460
+// Lists rays that rendering a picture follows: one of each pixel's path, of the kind asked for.
+#extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_shader_subgroup_arithmetic : require
+
+#include "film/tiles.glsl"
+#include "path/path.glsl"
+#include "shared/ray_structs.h"
+
+layout(local_size_x = kTileSize * kTileSize) in;
+layout(push_constant) uniform Parameters { RayListParameters parameters; };
+layout(set = 0, binding = kBindingCamera) uniform CameraBlock { Camera camera; };
+layout(set = 0, binding = kBindingRays) writeonly buffer Rays { ListedRay rays[]; };
+
+bool isWanted(Path path) {
+    bool isShadow = parameters.isShadow != 0u;
+    return path.isShadowed == isShadow && (isShadow || path.bounce == parameters.bounces);
+}
+
+void main() {
+    uint tile = parameters.firstGroup + gl_WorkGroupID.x;
+    uvec2 pixel = pixelInTile(cornerOfTile(tile, parameters.imageSize), gl_LocalInvocationIndex);
+    bool goesOn = all(lessThan(pixel, parameters.imageSize));
+    Path path = startPath(SampleId(pixel, 0u, parameters.seed), camera, parameters.imageSize);
+    PathLimits limits = PathLimits(parameters.bounces + 1u, parameters.lightCount);
+    uint iterations = 0u;
+    while (goesOn && !isWanted(path) && iterations < parameters.iterationBudget) {
+        Hit hit = traverse(path.ray, path.isShadowed, path.target, iterations);
+        goesOn = extendPath(path, hit, limits);
+        iterations++;
+    }
+    bool isListed = goesOn && isWanted(path);
+    rays[tile * kTileSize * kTileSize + gl_LocalInvocationIndex] =
+        ListedRay(path.ray.origin, isListed ? path.ray.tMax : 0.0, path.ray.direction, path.target);
+}
