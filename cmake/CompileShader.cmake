@@ -1,10 +1,12 @@
 # calotype_embed_kernels(TARGET SOURCE...)
 #
-# Compiles each GLSL compute shader to SPIR-V 1.5 for Vulkan 1.2, checks it with spirv-val, and
-# makes it available to TARGET and what links it as `#include "kernels/NAME.spv.h"`, which defines
+# Compiles each GLSL compute shader to SPIR-V 1.5 for Vulkan 1.2, inlines and shortens it with
+# spirv-opt (so Mesa's disk cache knows it again, which spares most of the time until the first
+# sample), checks it with spirv-val, and makes it available to TARGET and what links it as `#include "kernels/NAME.spv.h"`, which defines
 # `const uint32_t kNameSpirv[]` (path_trace.comp -> kPathTraceSpirv). What a shader includes is
 # tracked by glslang's dependency file.
 find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
+find_program(SPIRV_OPT spirv-opt REQUIRED)
 find_program(SPIRV_VAL spirv-val REQUIRED)
 
 function(calotype_embed_kernels target)
@@ -29,11 +31,11 @@ function(calotype_embed_kernels target)
             COMMAND ${GLSLANG_VALIDATOR} --quiet -V --target-env vulkan1.2 -g0
                     -I${PROJECT_SOURCE_DIR}/shaders -I${CMAKE_CURRENT_SOURCE_DIR}
                     --depfile ${module}.d -o ${module} ${source}
+            COMMAND ${SPIRV_OPT} --target-env=vulkan1.2 -Os ${module} -o ${module}
             COMMAND ${SPIRV_VAL} --target-env vulkan1.2 ${module}
-            COMMAND ${GLSLANG_VALIDATOR} --quiet -V --target-env vulkan1.2 -g0
-                    -I${PROJECT_SOURCE_DIR}/shaders -I${CMAKE_CURRENT_SOURCE_DIR}
-                    --vn ${variable} -o ${header} ${source}
-            DEPENDS ${source}
+            COMMAND ${CMAKE_COMMAND} -DMODULE=${module} -DVARIABLE=${variable} -DHEADER=${header}
+                    -P ${PROJECT_SOURCE_DIR}/cmake/EmbedSpirv.cmake
+            DEPENDS ${source} ${PROJECT_SOURCE_DIR}/cmake/EmbedSpirv.cmake
             DEPFILE ${module}.d
             COMMENT "Compiling ${name}.comp"
             VERBATIM)
