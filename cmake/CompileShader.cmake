@@ -2,9 +2,9 @@
 #
 # Compiles each GLSL compute shader to SPIR-V 1.5 for Vulkan 1.2, inlines and shortens it with
 # spirv-opt (so Mesa's disk cache knows it again, which spares most of the time until the first
-# sample), checks it with spirv-val, and makes it available to TARGET and what links it as `#include "kernels/NAME.spv.h"`, which defines
-# `const uint32_t kNameSpirv[]` (path_trace.comp -> kPathTraceSpirv). What a shader includes is
-# tracked by glslang's dependency file.
+# sample), checks it with spirv-val, and makes it available to TARGET and what links it as
+# `#include "kernels/NAME.spv.h"`, which defines `const uint32_t kNameSpirv[]` (path_trace.comp ->
+# kPathTraceSpirv). What a shader includes is tracked by glslang's dependency file.
 find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
 find_program(SPIRV_OPT spirv-opt REQUIRED)
 find_program(SPIRV_VAL spirv-val REQUIRED)

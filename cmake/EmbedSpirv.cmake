@@ -2,4 +2,5 @@
 # a C++ array.
 file(READ ${MODULE} bytes HEX)
 string(REGEX REPLACE "(..)(..)(..)(..)" "0x\\4\\3\\2\\1," words "${bytes}")
-file(WRITE ${HEADER} "#pragma once\n\n#include <cstdint>\n\nconst uint32_t ${VARIABLE}[] = {${words}};\n")
+file(WRITE ${HEADER}
+     "#pragma once\n\n#include <cstdint>\n\nconst uint32_t ${VARIABLE}[] = {${words}};\n")

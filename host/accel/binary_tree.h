@@ -7,6 +7,12 @@
 
 namespace calotype {
 
+/// Half the surface area, in the precision that suffices to compare costs.
+inline float halfAreaOf(const Bounds3f& bounds) {
+    const glm::vec3 e = bounds.extent();
+    return e.x * e.y + e.y * e.z + e.z * e.x;
+}
+
 /// A binary tree of boxes with one primitive in each leaf: what builders make, and collapse makes
 /// wide. Nodes lie depth first, so that a tree over n primitives has 2 n - 1 nodes and each has its
 /// place before it is made, whichever thread makes it.

@@ -58,8 +58,7 @@ BvhStatistics bvhStatistics(const Bvh& bvh);
 
 /// What is wrong with the structure, as a sentence; nothing if all is well: each primitive in
 /// exactly one leaf, each box containing its contents, leaves of one kind and of at most
-/// kMostInLeaf, no node
-/// unreachable or reached twice, and the depth as it says.
+/// kMostInLeaf, no node unreachable or reached twice, and the depth as it says.
 std::optional<std::string> findBvhDefect(const Bvh& bvh, std::span<const Primitive> primitives);
 
 } // namespace calotype

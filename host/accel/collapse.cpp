@@ -15,11 +15,6 @@ constexpr uint32_t kMostRoots = Bvh::kSlots - 1;
 /// 1, 2, ... kMostRoots children of one wide node: C(n, i) of the paper.
 using Costs = std::array<float, kMostRoots>;
 
-float halfAreaOf(const Bounds3f& bounds) {
-    const glm::vec3 e = bounds.extent();
-    return e.x * e.y + e.y * e.z + e.z * e.x;
-}
-
 /// The least cost by dynamic programming from the leaves up, and the choices that lead to it.
 class CostTable {
 public:

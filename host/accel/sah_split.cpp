@@ -16,11 +16,6 @@ constexpr size_t kMostToSweep = 8;
 /// Halving the rest from here on bounds the depth, at 48 + log2(primitives).
 constexpr uint32_t kDeepestSahSplit = 48;
 
-float halfAreaOf(const Bounds3f& bounds) {
-    const glm::vec3 e = bounds.extent();
-    return e.x * e.y + e.y * e.z + e.z * e.x;
-}
-
 struct Bin {
     Bounds3f bounds;
     uint32_t count = 0;

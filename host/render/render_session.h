@@ -30,9 +30,9 @@ struct RenderObserver {
     std::function<void(const RenderTotals&)> onPass; ///< every pixel has `samplesPerPixel`
 };
 
-/// Renders a picture, pass after pass: 1, 2, 4, then 8 samples in every pixel, then 8 more at a
-/// time. Each pass is cut into short dispatches. The film takes whole blocks; samples of an
-/// unfinished one show in the picture only.
+/// Renders a picture, pass after pass: every pixel has 1, 2, 4, 8, then 16 samples, and 16 more
+/// after each further pass. Each pass is cut into short dispatches. The film takes whole blocks;
+/// samples of an unfinished one show in the picture only.
 class RenderSession {
 public:
     RenderSession(BlockTracer& tracer, const RenderSettings& settings, double maxRadiance);

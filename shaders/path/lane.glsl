@@ -49,8 +49,7 @@ void meetSurface(inout Lane lane, Hit hit, PathLimits limits) {
 
 ParkedPath park(Lane lane, uint nextItem) {
     Path path = lane.path;
-    uint state = (lane.hasPixel ? kLaneHasPixel : 0u) | (lane.hasPath ? kLaneHasPath : 0u) |
-                 (path.isShadowed ? kLaneIsShadowed : 0u);
+    uint state = (lane.hasPath ? kLaneHasPath : 0u) | (path.isShadowed ? kLaneIsShadowed : 0u);
     return ParkedPath(path.ray.origin, path.ray.tMax, path.ray.direction, path.target, path.vertex,
                       path.bounce, path.throughput, path.bsdfPdf, path.radiance, state,
                       path.arriving, lane.item, path.direction, nextItem);

@@ -47,16 +47,15 @@ struct ParkedPath {
     vec3 throughput;
     float bsdfPdf;
     vec3 radiance;
-    uint state; ///< kLaneHasPixel and the others below
+    uint state; ///< kLaneHasPath and kLaneIsShadowed
     vec3 arriving;
     uint item; ///< the lane's pixel, in the order of the tile
     vec3 direction;
     uint nextItem; ///< the tile's next pixel; 0 where the tile is to be begun anew
 };
 
-CALOTYPE_CONSTANT uint kLaneHasPixel = 1u;
-CALOTYPE_CONSTANT uint kLaneHasPath = 2u;
-CALOTYPE_CONSTANT uint kLaneIsShadowed = 4u;
+CALOTYPE_CONSTANT uint kLaneHasPath = 1u;
+CALOTYPE_CONSTANT uint kLaneIsShadowed = 2u;
 
 /// Push constants. A dispatch finds the first hits of the pixels of a run of tiles.
 struct FirstHitParameters {

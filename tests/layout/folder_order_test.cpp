@@ -107,8 +107,7 @@ TEST(FolderOrderTest, ShaderLibraryIsPure) {
 
 TEST(FolderOrderTest, KernelsAreShort) {
     for (const fs::path& file : filesBelow(kRoot / "shaders/kernels"))
-        if (file.extension() == ".comp")
-            EXPECT_LE(linesOf(file).size(), 80u) << file;
+        EXPECT_TRUE(file.extension() != ".comp" || linesOf(file).size() <= 60) << file;
 }
 
 TEST(FolderOrderTest, LinesFitIntoAHundredColumns) {
