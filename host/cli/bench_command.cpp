@@ -66,7 +66,6 @@ std::vector<TraversalRate> measureTraversal(const DeviceEngine& engine,
                                                      {"shadow", RayKind::shadow()}};
     std::vector<TraversalRate> rates;
     for (const auto& [name, kind] : kinds) {
-
         const std::vector<gpu::ListedRay> rays =
             listRays(engine.device(), engine.packed(), engine.buffers(), settings, kind);
         if (rays.empty())
@@ -84,12 +83,14 @@ BenchReport benchScene(const BenchScene& benchScene, const BenchOptions& options
     report.scene = benchScene.name;
     report.threads = options.device.threads;
     report.repeats = options.repeats;
+    report.compilesEverything = options.compilesEverything;
     const Scene scene = timed(report.seconds.load, benchScene.load);
     RenderSettings& settings = report.settings;
     settings = {
         scene.film.width,        scene.film.height, {0, 0, scene.film.width, scene.film.height}, 1,
         scene.render.maxBounces, scene.render.seed};
-    EngineRequest request{settings, false, options.bvh, [](const std::string&, double) {}};
+    EngineRequest request{settings, false, options.bvh, options.compilesEverything,
+                          [](const std::string&, double) {}};
     request.settings.samplesPerPixel = (options.repeats + 2) * options.samplesPerPixel;
     DeviceEngine engine(options.device, scene, request, report.seconds);
     report.firstPassSeconds = renderOnce(engine, settings).firstSampleSeconds;

@@ -74,6 +74,7 @@ std::string toJsonLine(const BenchReport& report) {
     json["spp"] = report.settings.samplesPerPixel;
     json["max_bounces"] = report.settings.maxBounces;
     json["repeats"] = report.repeats;
+    json["everything_compiled"] = report.compilesEverything;
     json["paths_per_second"] = toJson(report.pathsPerSecond);
     json["rays_per_second"] = toJson(report.raysPerSecond);
     for (const TraversalRate& rate : report.traversal)

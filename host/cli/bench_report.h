@@ -34,6 +34,7 @@ struct BenchReport {
     uint32_t threads = 0; ///< of a CPU as device; 0: all cores
     RenderSettings settings;
     uint32_t repeats = 0;
+    bool compilesEverything = false; ///< of the kernel
     uint64_t primitives = 0;
     Spread pathsPerSecond;
     Spread raysPerSecond;

@@ -176,6 +176,8 @@ CLI::App& addBenchCommand(CLI::App& app, BenchOptions& options) {
         ->check(CLI::Range(1u, 1000u))
         ->capture_default_str()
         ->type_name("N");
+    command.add_flag("--everything", options.compilesEverything,
+                     "Compile the whole kernel, whatever part of it the scene needs");
     command.add_option("--json", options.jsonFile, "Write a line of JSON a scene")
         ->type_name("FILE");
     addBvhOption(command, options.bvh);

@@ -38,7 +38,9 @@ DeviceEngine::DeviceEngine(const DeviceOptions& options, const Scene& scene,
       deviceBytes_(requiredBytes(session_.device(), packed_, request)),
       buffers_(timed(seconds.upload, [&] { return SceneBuffers(session_.device(), packed_); })),
       tracer_(timed(seconds.compile, [&] {
-          return PathTracer(session_.device(), packed_, buffers_, packed_.features, settings_);
+          return PathTracer(session_.device(), packed_, buffers_,
+                            request.compilesEverything ? SceneFeatures::all() : packed_.features,
+                            settings_);
       })) {}
 
 FirstHitImage DeviceEngine::firstHits(const std::function<void(double)>& onProgress) {

@@ -69,7 +69,8 @@ struct BenchOptions {
     std::optional<BvhBuilder> bvh; ///< none: the quickest for all repeats together
     uint32_t samplesPerPixel = 4;  ///< of each repeat
     uint32_t repeats = 5;
-    std::string jsonFile; ///< empty: none
+    bool compilesEverything = false; ///< whatever of the kernel the scene needs
+    std::string jsonFile;            ///< empty: none
 };
 
 } // namespace calotype

@@ -67,7 +67,7 @@ public:
         sceneHash_ = scene.hash;
         const std::unique_ptr<RenderEngine> engine = makeEngine(
             options_.device, scene,
-            {settings_, wantsLayers(), options_.bvh,
+            {settings_, wantsLayers(), options_.bvh, false,
              [&](const std::string& what, double done) { step(preparation, what, done); }},
             seconds_);
         throwIfInterrupted();

@@ -43,7 +43,8 @@ public:
 struct EngineRequest {
     RenderSettings settings;
     bool wantsFirstHits = false;
-    std::optional<BvhBuilder> bvh; ///< none: the quickest for the settings
+    std::optional<BvhBuilder> bvh;   ///< none: the quickest for the settings
+    bool compilesEverything = false; ///< of the kernel, whatever the scene needs
     /// Hears what is being done, and the share of it done; may throw to end it.
     std::function<void(const std::string&, double)> onProgress;
 };

@@ -11,16 +11,17 @@
 #include "pack/pack_material.h"
 #include "pack/pack_node.h"
 #include "pack/pack_shapes.h"
+#include "pack/place_nodes.h"
+#include "shared/limits.h"
 
 namespace calotype {
 namespace {
 
-/// Names and rows of nodes and primitives have to fit into their bits.
-void requireIndexable(size_t nodes, size_t primitives) {
-    constexpr size_t kMost = size_t{1} << 28;
-    if (std::max(nodes, primitives) > kMost)
-        throw GpuError("the scene has " + std::to_string(primitives) +
-                       " primitives, and the kernels can address " + std::to_string(kMost));
+/// Names and places have to fit into their bits.
+void requireAddressable(size_t count, size_t most, const char* what) {
+    if (count > most)
+        throw GpuError("the scene has " + std::to_string(count) + " " + what +
+                       ", and the kernels can address " + std::to_string(most));
 }
 
 class ScenePacker {
@@ -36,7 +37,7 @@ public:
     }
 
     GpuScene pack(double aspectRatio) {
-        requireIndexable(bvh_.nodes.size(), primitives_.size());
+        requireAddressable(primitives_.size(), gpu::kMostPrimitives, "primitives");
         packPrimitives();
         packLights();
         packNodes();
@@ -159,10 +160,13 @@ private:
                 (slot.kind == Bvh::SlotKind::Quadrics ? first[i].quadric : first[i].triangle) +=
                     slot.count;
         }
-        packed_.nodes.resize(bvh_.nodes.size());
+        const NodePlaces places = placeNodes(bvh_);
+        requireAddressable(places.end, gpu::kMostNodes, "nodes of its tree");
+        packed_.nodes.resize(places.end);
         parallelChunks(first.size(), allCores(), [&](uint64_t begin, uint64_t end) {
             for (uint64_t i = begin; i < end; ++i)
-                packed_.nodes[i] = packNode(bvh_.nodes[i], first[i]);
+                packed_.nodes[places.ofNode[i]] =
+                    packNode(bvh_.nodes[i], first[i], places.baseOfChildren[i]);
         });
     }
 

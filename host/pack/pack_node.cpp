@@ -70,10 +70,10 @@ uint32_t bitOf(uint32_t slot, bool isSet) { return isSet ? 1u << slot : 0u; }
 
 } // namespace
 
-gpu::BvhNode packNode(const Bvh::Node& node, const FirstPrimitives& first) {
+gpu::BvhNode packNode(const Bvh::Node& node, const FirstPrimitives& first, uint32_t childBase) {
     gpu::BvhNode packed{};
     packed.origin = node.bounds.lower;
-    packed.firstNode = node.firstNode;
+    packed.childBase = childBase;
     packed.firstTriangle = first.triangle;
     packed.firstQuadric = first.quadric;
     for (uint32_t slot = 0; slot < Bvh::kSlots; ++slot) {

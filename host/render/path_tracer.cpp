@@ -34,7 +34,8 @@ std::vector<Binding> withKernelBindings(std::vector<Binding> bindings, const Buf
 }
 
 size_t parkedBytes(const Device& device, const Crop& crop) {
-    return size_t{countTiles(crop)} * device.info().subgroupSize * sizeof(gpu::ParkedPath);
+    return size_t{countTiles(crop)} * device.info().subgroupSize * gpu::kTasksPerLane *
+           sizeof(gpu::ParkedPath);
 }
 
 size_t blockBytes(const Crop& crop) { return size_t{crop.width} * crop.height * sizeof(glm::vec4); }

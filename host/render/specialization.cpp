@@ -9,7 +9,8 @@ std::vector<uint32_t> specialization(const Device& device, const SceneFeatures& 
     constants[gpu::kConstantSubgroupSize] = device.info().subgroupSize;
     constants[gpu::kConstantNodeEighths] = tuning.nodeEighths;
     constants[gpu::kConstantPrimitiveEighths] = tuning.primitiveEighths;
-    constants[gpu::kConstantPathEighths] = tuning.pathEighths;
+    constants[gpu::kConstantRayEighths] = tuning.rayEighths;
+    constants[gpu::kConstantEventEighths] = tuning.eventEighths;
     return constants;
 }
 

@@ -9,9 +9,10 @@
 
 #include "scene/traversal.glsl"
 
-layout(constant_id = kConstantNodeEighths) const uint kNodeEighths = 7u;
-layout(constant_id = kConstantPrimitiveEighths) const uint kPrimitiveEighths = 5u;
-layout(constant_id = kConstantPathEighths) const uint kPathEighths = 6u;
+layout(constant_id = kConstantNodeEighths) const uint kNodeEighths = 5u;
+layout(constant_id = kConstantPrimitiveEighths) const uint kPrimitiveEighths = 3u;
+layout(constant_id = kConstantRayEighths) const uint kRayEighths = 7u;
+layout(constant_id = kConstantEventEighths) const uint kEventEighths = 6u;
 
 /// What the lane's ray has put aside; variables of the whole kernel, as GLSL copies arguments.
 NodeGroup stack[kMaxBvhDepth + 2u];
@@ -67,7 +68,7 @@ bool followRays(inout Traversal traversal, Ray ray, uint atWork, inout Iteration
         } while (areEnough(hasPrimitives(traversal.primitives), kPrimitiveEighths, atWork) &&
                  isInBudget);
         isInBudget = countIteration(count);
-    } while (areEnough(isUnderWay(traversal), kPathEighths, atWork) && isInBudget);
+    } while (areEnough(isUnderWay(traversal), kRayEighths, atWork) && isInBudget);
     return isInBudget;
 }
 

@@ -3,8 +3,9 @@
 // number of its samples, added in their order by the lane that owns the pixel. So a dispatch goes
 // on where the last one stopped, and the picture does not depend on how the work was cut up.
 //
-// A workgroup is one subgroup. Its lanes do not wait for each other's paths: whose path has ended
-// takes the next sample, or the tile's next pixel.
+// A workgroup is one subgroup. Each lane has two pixels, and takes the next one of the tile when
+// one is done. While the ray of its current pixel's path is on its way through the tree, the other
+// waits: with its own ray, to go next, or at a surface, until enough lanes have one waiting there.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
 #extension GL_KHR_shader_subgroup_ballot : require
@@ -14,34 +15,43 @@
 
 layout(local_size_x_id = kConstantSubgroupSize) in;
 
+/// At the surface that its ray met, or its path over.
+bool isThrough(PixelTask task) { return task.hasPath && !task.hasRay; }
+
 void main() {
     PathLimits limits = PathLimits(parameters.maxBounces, parameters.lightCount);
-    TileWork work;
-    Lane lane = resumeLane((parameters.firstTile + gl_WorkGroupID.x) * parameters.tileStride %
-                               parameters.tileCount,
-                           work);
+    TileWork work = resumeTile((parameters.firstTile + gl_WorkGroupID.x) * parameters.tileStride %
+                               parameters.tileCount);
+    PixelTask current = resumeTask(work, 0u);
+    PixelTask waiting = resumeTask(work, 1u);
+    LaneTotals totals = LaneTotals(0u, 0u, 0u, 0u);
     Traversal traversal = noTraversal();
     IterationCount count = IterationCount(0u, parameters.iterationBudget);
     bool isInBudget = true;
     do {
-        if (lane.hasPath && !lane.hasRay && !isUnderWay(traversal))
-            meetSurface(lane, traversal.hit, limits);
-        takeUpWork(work, lane);
-        uint atWork = lanesWhere(lane.hasPixel);
+        if (isThrough(waiting))
+            meetSurface(waiting, limits, totals);
+        takeUpWork(work, waiting);
+        uint atWork = lanesWhere(current.hasPixel || waiting.hasPixel);
+        bool hasRay;
         do {
-            if (lane.hasRay) {
-                traversal = startTraversal(lane.path.ray, lane.path.isShadowed, lane.path.target);
+            if (!current.hasRay && !isUnderWay(traversal) && !isThrough(waiting))
+                swapTasks(current, waiting);
+            if (current.hasRay) {
+                traversal =
+                    startTraversal(current.path.ray, current.path.isShadowed, current.path.target);
                 stackSize = 0u;
-                lane.hasRay = false;
+                current.hasRay = false;
             }
-            isInBudget = followRays(traversal, lane.path.ray, atWork, count);
-            if (hasLights && lane.path.isShadowed && !isUnderWay(traversal) && lane.hasPath &&
+            isInBudget = followRays(traversal, current.path.ray, atWork, count);
+            current.hit = traversal.hit;
+            if (hasLights && current.path.isShadowed && !isUnderWay(traversal) && current.hasPath &&
                 !traversal.hit.isTransparent)
-                settleShadow(lane, traversal.hit);
+                settleShadow(current, totals);
             isInBudget = isInBudget && countIteration(count);
-        } while (areEnough(lane.hasRay || isUnderWay(traversal), kPathEighths, atWork) &&
-                 isInBudget);
+            hasRay = current.hasRay || waiting.hasRay || isUnderWay(traversal);
+        } while (areEnough(hasRay, kEventEighths, atWork) && isInBudget);
         isInBudget = isInBudget && countIteration(count);
-    } while (lanesWhere(lane.hasPixel) > 0u && isInBudget);
-    putDown(work, lane);
+    } while (lanesWhere(current.hasPixel || waiting.hasPixel) > 0u && isInBudget);
+    putDown(work, current, waiting, totals);
 }

@@ -18,82 +18,93 @@ struct TileWork {
     uint nextItem; ///< the first pixel that no lane has taken, in the order of the tile
 };
 
-uvec2 pixelOf(TileWork work, Lane lane) { return pixelInTile(work.corner, lane.item); }
+uvec2 pixelOf(TileWork work, PixelTask task) { return pixelInTile(work.corner, task.item); }
 
 bool isInPicture(uvec2 pixel) { return all(lessThan(pixel, parameters.cropSize)); }
 
-SampleId sampleIdOf(uvec2 pixel, Lane lane) {
-    return SampleId(parameters.cropOrigin + pixel, parameters.firstSample + uint(lane.sum.w),
+SampleId sampleIdOf(uvec2 pixel, PixelTask task) {
+    return SampleId(parameters.cropOrigin + pixel, parameters.firstSample + uint(task.sum.w),
                     parameters.seed);
 }
 
-/// Gives the lane's pixel, if it has one, as many samples as the block holds of it.
-void loadPixel(TileWork work, inout Lane lane) {
-    uvec2 pixel = pixelOf(work, lane);
-    lane.hasPixel = lane.item < kTileSize * kTileSize;
-    bool isReal = lane.hasPixel && isInPicture(pixel);
-    lane.sum = isReal ? imageLoad(block, ivec2(pixel)) : vec4(parameters.sampleEnd);
+/// Gives the task's pixel, if it has one, as many samples as the block holds of it.
+void loadPixel(TileWork work, inout PixelTask task) {
+    uvec2 pixel = pixelOf(work, task);
+    task.hasPixel = task.item < kTileSize * kTileSize;
+    bool isReal = task.hasPixel && isInPicture(pixel);
+    task.sum = isReal ? imageLoad(block, ivec2(pixel)) : vec4(parameters.sampleEnd);
 }
 
-/// Lanes that are done with their pixels store them and take the next ones; those without a path
+/// Tasks that are done with their pixels store them and take the next ones; those without a path
 /// start one.
-void takeUpWork(inout TileWork work, inout Lane lane) {
-    bool isDone = lane.hasPixel && !lane.hasPath && uint(lane.sum.w) >= parameters.sampleEnd;
-    uvec2 pixel = pixelOf(work, lane);
+void takeUpWork(inout TileWork work, inout PixelTask task) {
+    bool isDone = task.hasPixel && !task.hasPath && uint(task.sum.w) >= parameters.sampleEnd;
+    uvec2 pixel = pixelOf(work, task);
     if (isDone && isInPicture(pixel))
-        imageStore(block, ivec2(pixel), lane.sum);
+        imageStore(block, ivec2(pixel), task.sum);
     uvec4 done = subgroupBallot(isDone);
     if (isDone) {
-        lane.item = work.nextItem + subgroupBallotExclusiveBitCount(done);
-        loadPixel(work, lane);
+        task.item = work.nextItem + subgroupBallotExclusiveBitCount(done);
+        loadPixel(work, task);
     }
     work.nextItem += subgroupBallotBitCount(done);
-    if (lane.hasPixel && !lane.hasPath && uint(lane.sum.w) < parameters.sampleEnd) {
-        lane.path = startPath(sampleIdOf(pixelOf(work, lane), lane), camera, parameters.imageSize);
-        lane.hasPath = true;
-        lane.hasRay = true;
+    if (task.hasPixel && !task.hasPath && uint(task.sum.w) < parameters.sampleEnd) {
+        task.path = startPath(sampleIdOf(pixelOf(work, task), task), camera, parameters.imageSize);
+        task.hasPath = true;
+        task.hasRay = true;
     }
 }
 
-uint parkingPlace(TileWork work) { return work.tile * gl_SubgroupSize + gl_SubgroupInvocationID; }
+uint parkingPlace(TileWork work, uint whichTask) {
+    return (work.tile * kTasksPerLane + whichTask) * gl_SubgroupSize + gl_SubgroupInvocationID;
+}
 
 /// Goes on where the last dispatch put the tile down, or begins it anew.
-Lane resumeLane(uint tile, out TileWork work) {
-    work.tile = tile;
-    ParkedPath parked = parkedPaths[parkingPlace(work)];
+TileWork resumeTile(uint tile) {
+    TileWork work = TileWork(tile, cornerOfTile(tile, parameters.cropSize), 0u);
+    uint parked = parkedPaths[parkingPlace(work, 0u)].nextItem;
+    work.nextItem = parked == 0u ? kTasksPerLane * gl_SubgroupSize : parked;
+    return work;
+}
+
+PixelTask resumeTask(TileWork work, uint whichTask) {
+    ParkedPath parked = parkedPaths[parkingPlace(work, whichTask)];
     bool isNew = parked.nextItem == 0u;
-    work.corner = cornerOfTile(tile, parameters.cropSize);
-    work.nextItem = isNew ? gl_SubgroupSize : parked.nextItem;
-    Lane lane;
-    lane.item = isNew ? gl_SubgroupInvocationID : parked.item;
-    loadPixel(work, lane);
-    lane.hasPath = !isNew && (parked.state & kLaneHasPath) != 0u;
-    lane.path = unpark(parked, sampleIdOf(pixelOf(work, lane), lane));
-    lane.hasRay = lane.hasPath;
-    lane.isOver = false;
-    lane.raysEnded = 0u;
-    lane.pathsEnded = 0u;
-    lane.pathsLost = 0u;
-    lane.pathsCut = 0u;
-    return lane;
+    PixelTask task;
+    task.item = isNew ? whichTask * gl_SubgroupSize + gl_SubgroupInvocationID : parked.item;
+    loadPixel(work, task);
+    task.hasPath = !isNew && (parked.state & kTaskHasPath) != 0u;
+    task.path = unpark(parked, sampleIdOf(pixelOf(work, task), task));
+    task.hasRay = task.hasPath;
+    task.isOver = false;
+    task.hit = Hit(0.0, kNone, false);
+    return task;
+}
+
+void putTaskDown(TileWork work, uint whichTask, bool isUnfinished, PixelTask task) {
+    uvec2 pixel = pixelOf(work, task);
+    if (task.hasPixel && isInPicture(pixel))
+        imageStore(block, ivec2(pixel), task.sum);
+    parkedPaths[parkingPlace(work, whichTask)] = park(task, isUnfinished ? work.nextItem : 0u);
 }
 
 /// Stores what the lane has, and adds up what the subgroup did. A ray that has had the whole
 /// dispatch to itself and is not through yet never will be: its path ends.
-void putDown(TileWork work, inout Lane lane) {
-    bool isCut = lane.hasPath && lane.raysEnded == 0u;
-    lane.pathsCut += isCut ? 1u : 0u;
-    if (isCut || lane.isOver)
-        endPath(lane);
-    uvec2 pixel = pixelOf(work, lane);
-    if (lane.hasPixel && isInPicture(pixel))
-        imageStore(block, ivec2(pixel), lane.sum);
-    uint unfinished = lanesWhere(lane.hasPixel);
-    parkedPaths[parkingPlace(work)] = park(lane, unfinished > 0u ? work.nextItem : 0u);
-    uint rays = subgroupAdd(lane.raysEnded);
-    uint paths = subgroupAdd(lane.pathsEnded);
-    uint lost = subgroupAdd(lane.pathsLost);
-    uint cut = subgroupAdd(lane.pathsCut);
+void putDown(TileWork work, inout PixelTask current, inout PixelTask waiting,
+             inout LaneTotals totals) {
+    bool isCut = current.hasPath && totals.raysEnded == 0u;
+    totals.pathsCut += isCut ? 1u : 0u;
+    if (isCut || current.isOver)
+        endPath(current, totals);
+    if (waiting.isOver)
+        endPath(waiting, totals);
+    uint unfinished = lanesWhere(current.hasPixel) + lanesWhere(waiting.hasPixel);
+    putTaskDown(work, 0u, unfinished > 0u, current);
+    putTaskDown(work, 1u, unfinished > 0u, waiting);
+    uint rays = subgroupAdd(totals.raysEnded);
+    uint paths = subgroupAdd(totals.pathsEnded);
+    uint lost = subgroupAdd(totals.pathsLost);
+    uint cut = subgroupAdd(totals.pathsCut);
     if (subgroupElect()) {
         atomicAdd(counters.rays, rays);
         atomicAdd(counters.paths, paths);

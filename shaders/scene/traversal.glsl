@@ -44,15 +44,15 @@ struct Traversal {
 };
 
 Traversal startTraversal(Ray ray, bool anyHit, uint skipped) {
-    return Traversal(nodeRay(ray.origin, ray.direction), shearedRay(ray.origin, ray.direction),
-                     Hit(ray.tMax, kNone, false), rootGroup(), kNoPrimitives, kNoPrimitives,
-                     skipped, anyHit);
+    NodeRay boxRay = nodeRay(ray.origin, ray.direction);
+    return Traversal(boxRay, shearedRay(ray.origin, ray.direction), Hit(ray.tMax, kNone, false),
+                     rootGroup(boxRay.octant), kNoPrimitives, kNoPrimitives, skipped, anyHit);
 }
 
 /// A ray that has nowhere to go.
 Traversal noTraversal() {
     Traversal traversal = startTraversal(Ray(vec3(0.0), 0.0, vec3(1.0)), false, kNone);
-    traversal.nodes.children = 0u;
+    traversal.nodes = kNoNodes;
     return traversal;
 }
 
@@ -65,9 +65,7 @@ bool isUnderWay(Traversal traversal) {
     return hasNodes(traversal.nodes) || hasPrimitives(traversal.primitives);
 }
 
-NodeGroup nodesMet(BvhNode node, ChildrenMet met) {
-    return NodeGroup(node.firstNode, met.nodes | node.nodesAndExponents >> 24u);
-}
+NodeGroup nodesMet(BvhNode node, ChildrenMet met) { return NodeGroup(met.nodes | node.childBase); }
 
 PrimitiveGroup primitivesMet(BvhNode node, ChildrenMet met) {
     return PrimitiveGroup(met.primitives, node.primitives, node.firstTriangle, node.firstQuadric);
@@ -102,7 +100,7 @@ void takePostponed(inout Traversal traversal) {
     traversal.primitives = pick(isDone, traversal.postponed, traversal.primitives);
     traversal.postponed.left = isDone ? 0u : traversal.postponed.left;
     if (isSettled(traversal)) {
-        traversal.nodes.children = 0u;
+        traversal.nodes = kNoNodes;
         traversal.primitives.left = 0u;
         traversal.postponed.left = 0u;
     }

@@ -105,28 +105,26 @@ ChildrenMet meetNode(NodeRay ray, BvhNode node, float tMax) {
                        thrice(met) & node.primitives & 0x00FFFFFFu);
 }
 
-/// Children that are nodes, of one node.
+/// Children that are nodes, of one node: in the highest byte those that are left to visit, as
+/// ChildrenMet has them, and below it BvhNode::childBase. One word, as it goes to the stack.
 struct NodeGroup {
-    uint first;    ///< index of the first one
-    uint children; ///< in the highest byte, those that are left to visit, as ChildrenMet has them;
-                   ///< in the lowest, all
+    uint word;
 };
 
-NodeGroup pick(bool first, NodeGroup a, NodeGroup b) {
-    return NodeGroup(first ? a.first : b.first, first ? a.children : b.children);
-}
+const NodeGroup kNoNodes = NodeGroup(0u);
 
-/// The group of the root alone.
-NodeGroup rootGroup() { return NodeGroup(0u, 0x80000000u); }
+NodeGroup pick(bool first, NodeGroup a, NodeGroup b) { return NodeGroup(first ? a.word : b.word); }
 
-bool hasNodes(NodeGroup group) { return group.children > 0x00FFFFFFu; }
+/// The root, at place 0, alone.
+NodeGroup rootGroup(uint octant) { return NodeGroup(1u << (24u + octant)); }
 
-/// Takes the child that comes first out of a group that has some: its index.
+bool hasNodes(NodeGroup group) { return group.word > 0x00FFFFFFu; }
+
+/// Takes the child that comes first out of a group that has some: its place.
 uint takeNode(inout NodeGroup group, uint octant) {
-    uint bit = uint(findMSB(group.children));
-    group.children &= ~(1u << bit);
-    uint child = bit - 24u ^ octant;
-    return group.first + uint(bitCount(group.children & ~(~0u << child) & 0xFFu));
+    uint bit = uint(findMSB(group.word));
+    group.word &= ~(1u << bit);
+    return (group.word & 0x00FFFFFFu) + (bit - 24u ^ octant);
 }
 
 /// Primitives of a node's leaves.

@@ -24,7 +24,7 @@ CALOTYPE_CONSTANT uint kBindingBlock = 11;    ///< storage image
 CALOTYPE_CONSTANT uint kBindingCounters = 12; ///< storage buffer
 /// Storage buffer of one FirstHitRecord per pixel of the dispatch's tiles.
 CALOTYPE_CONSTANT uint kBindingFirstHits = 13;
-/// Storage buffer of one ParkedPath per lane of every tile.
+/// Storage buffer of one ParkedPath per task of every lane of every tile.
 CALOTYPE_CONSTANT uint kBindingParkedPaths = 14;
 CALOTYPE_CONSTANT uint kBindingRays = 15;       ///< storage buffer of ListedRay
 CALOTYPE_CONSTANT uint kBindingListedHits = 16; ///< storage buffer of ListedHit
@@ -64,8 +64,9 @@ CALOTYPE_CONSTANT uint kFeatureCount = 28;
 CALOTYPE_CONSTANT uint kConstantSubgroupSize = 28; ///< of a workgroup, which is one subgroup
 CALOTYPE_CONSTANT uint kConstantNodeEighths = 29;
 CALOTYPE_CONSTANT uint kConstantPrimitiveEighths = 30;
-CALOTYPE_CONSTANT uint kConstantPathEighths = 31;
-CALOTYPE_CONSTANT uint kConstantCount = 32;
+CALOTYPE_CONSTANT uint kConstantRayEighths = 31;
+CALOTYPE_CONSTANT uint kConstantEventEighths = 32;
+CALOTYPE_CONSTANT uint kConstantCount = 33;
 
 CALOTYPE_END_SHARED
 

@@ -12,8 +12,17 @@ CALOTYPE_CONSTANT uint kSamplesPerBlock = 16;
 /// Pixels on a side of the square tile that one workgroup owns.
 CALOTYPE_CONSTANT uint kTileSize = 16;
 
+/// Pixels that a lane works at in turns.
+CALOTYPE_CONSTANT uint kTasksPerLane = 2;
+
 /// Deepest node of a BVH below its root, which bounds the traversal stack.
 CALOTYPE_CONSTANT uint kMaxBvhDepth = 32;
+
+/// Places of nodes have 24 bits: scene/wide_node.glsl keeps eight others in the same word.
+CALOTYPE_CONSTANT uint kMostNodes = 1u << 24u;
+
+/// Rows of the largest primitive, eight at most, are numbered by 31 bits.
+CALOTYPE_CONSTANT uint kMostPrimitives = 1u << 28u;
 
 /// Steps of the table of the film filter's quantiles.
 CALOTYPE_CONSTANT uint kFilterSteps = 1023;

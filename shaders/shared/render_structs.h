@@ -36,7 +36,7 @@ struct RenderCounters {
     uint pad2;
 };
 
-/// Where a subgroup put a lane's work down, one record a lane and tile.
+/// Where a subgroup put a task of a lane down, one record a task, lane and tile.
 struct ParkedPath {
     vec3 rayOrigin;
     float rayTMax;
@@ -47,15 +47,15 @@ struct ParkedPath {
     vec3 throughput;
     float bsdfPdf;
     vec3 radiance;
-    uint state; ///< kLaneHasPath and kLaneIsShadowed
+    uint state; ///< kTaskHasPath and kTaskIsShadowed
     vec3 arriving;
-    uint item; ///< the lane's pixel, in the order of the tile
+    uint item; ///< the task's pixel, in the order of the tile
     vec3 direction;
     uint nextItem; ///< the tile's next pixel; 0 where the tile is to be begun anew
 };
 
-CALOTYPE_CONSTANT uint kLaneHasPath = 1u;
-CALOTYPE_CONSTANT uint kLaneIsShadowed = 2u;
+CALOTYPE_CONSTANT uint kTaskHasPath = 1u;
+CALOTYPE_CONSTANT uint kTaskIsShadowed = 2u;
 
 /// Push constants. A dispatch finds the first hits of the pixels of a run of tiles.
 struct FirstHitParameters {

@@ -26,7 +26,7 @@ struct BvhNode {
     vec3 origin;
     uint nodesAndExponents; ///< bytes: exponents of size.xyz as a float's, and a bit for each child
                             ///< that is a node
-    uint firstNode;
+    uint childBase; ///< the child in slot i, if it is a node, lies at childBase + i; 24 bits
     uint firstTriangle;
     uint firstQuadric;
     uint primitives; ///< three bits a child, as many set as it has primitives; in the highest byte,

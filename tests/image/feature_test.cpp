@@ -1,201 +1,18 @@
 // Specialising only removes code: for every feature alone, the kernel made for a scene that needs
 // it and the kernel for everything render the same picture, bit for bit; and without the feature
 // the picture is another.
-#include <functional>
-#include <memory>
 #include <set>
 
+#include "support/feature_cases.h"
 #include "support/gpu_test.h"
 #include "support/render_scene.h"
-#include "support/scene_builder.h"
 
 namespace calotype::test {
 namespace {
 
-constexpr uint32_t kFloor = 0; ///< the material of the floor and of what stands on it
-
-/// A floor under a lamp. What tests add stands about the origin.
-SceneBuilder litFloor() {
-    SceneBuilder builder;
-    builder.material(0.6, 0.0);
-    const uint32_t lamp = builder.material(0.0, 5.0, true);
-    builder.rectangle({-3.0, -0.5, 3.0}, {6.0, 0.0, 0.0}, {0.0, 0.0, -6.0}, kFloor);
-    builder.rectangle({-1.0, 2.5, -1.0}, {2.0, 0.0, 0.0}, {0.0, 0.0, 2.0}, lamp);
-    Scene& scene = builder.scene();
-    scene.camera.position = {0.0, 0.3, 3.0};
-    scene.camera.verticalFov = 0.8;
-    scene.film = {24, 24};
-    scene.render = {8, 4, 0};
-    return builder;
-}
-
-Texture noiseTexture(bool floats, bool transparent = false) {
-    auto image = std::make_shared<TexelImage>();
-    image->width = 5;
-    image->height = 4;
-    image->isEncoded = true;
-    image->isTransparent = transparent;
-    for (uint32_t i = 0; i < 80; ++i) {
-        const bool alpha = i % 4 == 3;
-        const uint32_t value = alpha && !transparent ? 255 : 60 + i * 97 % 180;
-        if (floats)
-            image->floats.push_back(static_cast<float>(value) / 255.0f);
-        else
-            image->bytes.push_back(static_cast<uint8_t>(value));
-    }
-    return {"noise", ImageTexture{image}};
-}
-
-Material ofType(MaterialType type) {
-    Material material;
-    material.type = type;
-    material.color = {0.8, 0.6, 0.4};
-    material.roughness = 0.3;
-    material.specular = 0.5;
-    material.kd = 0.5;
-    material.ks = 0.3;
-    material.exponent = 30.0;
-    return material;
-}
-
-void addBall(SceneBuilder& builder, const Material& material, double x = 0.0) {
-    builder.add(
-        makeShape(Sphere{{glm::dmat3(1.0), {x, 0.0, 0.0}}, 0.5}, builder.material(material)));
-}
-
-using Change = std::function<void(SceneBuilder&)>;
-
-Change ball(Material material) {
-    return [material](SceneBuilder& builder) { addBall(builder, material); };
-}
-
-Change shape(Shape added) {
-    return [added](SceneBuilder& builder) { builder.add(added); };
-}
-
-/// The shape with a material that glows.
-Change light(Shape added) {
-    return [added](SceneBuilder& builder) {
-        Shape lamp = added;
-        lamp.material = builder.material(0.2, 1.5);
-        builder.add(lamp);
-    };
-}
-
-Change floorTexture(uint32_t Material::*slot, Texture texture,
-                    MaterialType type = MaterialType::Diffuse) {
-    return [=](SceneBuilder& builder) {
-        Material material = ofType(type);
-        material.*slot = builder.texture(texture);
-        builder.scene().materials[kFloor] = material;
-    };
-}
-
-Change camera(const std::function<void(Scene&)>& change) {
-    return [change](SceneBuilder& builder) { change(builder.scene()); };
-}
-
-const Shape kBall = makeShape(Sphere{{}, 0.5}, kFloor);
-const Shape kCan = makeShape(Cylinder{{}, 0.3, 0.9}, kFloor);
-const Shape kHat = makeShape(Cone{{glm::dmat3(1.0), {0.0, 0.5, 0.0}}, -0.9, 0.5}, kFloor);
-const Shape kPlate = makeShape(Disk{{}, 0.6}, kFloor);
-
-void addSmoothTriangle(SceneBuilder& builder) {
-    Mesh mesh;
-    mesh.positions = {{-0.7, -0.4, 0.0}, {0.7, -0.4, 0.0}, {0.0, 0.7, -0.3}};
-    mesh.normals = {{-0.6, 0.0, 0.8}, {0.6, 0.0, 0.8}, {0.0, 0.6, 0.8}};
-    mesh.triangles = {{{0, 1, 2}, {0, 1, 2}, kFloor}};
-    builder.add(makeShape(mesh, kFloor));
-}
-
-void hideLamp(Scene& scene) {
-    scene.materials[1].visibleToCamera = false;
-    scene.camera.position = {0.0, 3.5, 0.1};
-    scene.camera.forward = {0.0, -1.0, 0.0};
-    scene.camera.up = {0.0, 0.0, -1.0};
-}
-
-void darken(Scene& scene) {
-    for (Material& material : scene.materials)
-        material.emission = glm::dvec3(0.0);
-}
-
-void darkenDisk(Scene& scene) { scene.materials.back().emission = glm::dvec3(0.0); }
-
-struct FeatureCase {
-    uint32_t feature;
-    const char* name;
-    Change change;
-    /// Takes the feature from the scene, where a kernel without it would take what it finds there
-    /// for something else, and read beyond its buffers.
-    std::function<void(Scene&)> removal = {};
-};
-
-const FeatureCase kCases[] = {
-    {gpu::kFeatureTriangles, "Triangles", camera([](Scene&) {}),
-     [](Scene& scene) { scene.shapes.clear(); }},
-    {gpu::kFeatureSmoothNormals, "SmoothNormals", addSmoothTriangle},
-    {gpu::kFeatureSpheres, "Spheres", shape(kBall)},
-    {gpu::kFeatureCylinders, "Cylinders", shape(kCan)},
-    {gpu::kFeatureCones, "Cones", shape(kHat)},
-    {gpu::kFeatureDisks, "Disks", shape(kPlate)},
-    {gpu::kFeatureTriangleLights, "TriangleLights", camera([](Scene&) {}), darken},
-    {gpu::kFeatureSphereLights, "SphereLights", light(kBall)},
-    {gpu::kFeatureCylinderLights, "CylinderLights", light(kCan)},
-    {gpu::kFeatureConeLights, "ConeLights", light(kHat)},
-    {gpu::kFeatureDiskLights, "DiskLights", light(kPlate), darkenDisk},
-    {gpu::kFeatureHiddenLights, "HiddenLights", camera(hideLamp)},
-    {gpu::kFeatureBackground, "Background", camera([](Scene& scene) {
-         scene.background = {0.3, 0.4, 0.5};
-     }),
-     [](Scene& scene) { scene.background = glm::dvec3(0.0); }},
-    {gpu::kFeatureDiffuse, "Diffuse", camera([](Scene&) {})},
-    {gpu::kFeatureGgx, "Ggx", ball(ofType(MaterialType::Nonmetal))},
-    {gpu::kFeatureMirrors, "Mirrors",
-     [](SceneBuilder& builder) {
-         Material chrome = ofType(MaterialType::Metal);
-         chrome.roughness = 0.0;
-         addBall(builder, chrome, -0.6);
-         chrome.type = MaterialType::Nonmetal;
-         addBall(builder, chrome, 0.6);
-     }},
-    {gpu::kFeatureBlinnPhong, "BlinnPhong", ball(ofType(MaterialType::BlinnPhong))},
-    {gpu::kFeatureDielectrics, "Dielectrics", ball(ofType(MaterialType::Dielectric))},
-    {gpu::kFeatureColorTextures, "ColorTextures",
-     floorTexture(&Material::colorTexture, noiseTexture(false))},
-    {gpu::kFeatureScalarTextures, "RoughnessTextures",
-     floorTexture(&Material::roughnessTexture, noiseTexture(false), MaterialType::Nonmetal)},
-    {gpu::kFeatureScalarTextures, "SpecularTextures",
-     floorTexture(&Material::specularTexture, noiseTexture(false), MaterialType::Nonmetal)},
-    {gpu::kFeatureNormalMaps, "NormalMaps",
-     floorTexture(&Material::normalMap, noiseTexture(false), MaterialType::Metal)},
-    {gpu::kFeatureAlpha, "Alpha", floorTexture(&Material::alphaTexture, noiseTexture(false, true))},
-    {gpu::kFeatureByteTexels, "ByteTexels",
-     floorTexture(&Material::colorTexture, noiseTexture(false))},
-    {gpu::kFeatureFloatTexels, "FloatTexels",
-     floorTexture(&Material::colorTexture, noiseTexture(true))},
-    {gpu::kFeatureCheckers, "Checkers",
-     floorTexture(&Material::colorTexture,
-                  {"checker", CheckerTexture{{glm::dvec3(0.2), glm::dvec3(0.9)}}, {8.0, 8.0}}),
-     [](Scene& scene) { scene.materials[kFloor].colorTexture = Material::kNoTexture; }},
-    {gpu::kFeatureFilter, "Filter",
-     camera([](Scene& scene) { scene.film.filter = FilmFilter::BlackmanHarris; })},
-    {gpu::kFeatureLens, "Lens", camera([](Scene& scene) {
-         scene.camera.lensRadius = 0.1;
-         scene.camera.focusDistance = 3.0;
-     })},
-    {gpu::kFeatureOrthographic, "Orthographic", camera([](Scene& scene) {
-         scene.camera.projection = Projection::Orthographic;
-         scene.camera.viewHeight = 3.0;
-         scene.camera.position = {0.0, 2.0, 2.0};
-         scene.camera.forward = {0.0, -0.8, -0.6};
-         scene.camera.up = {0.0, 0.6, -0.8};
-     })},
-};
-
 TEST(FeatureCases, CoverEveryFeature) {
     std::set<uint32_t> covered;
-    for (const FeatureCase& featureCase : kCases)
+    for (const FeatureCase& featureCase : featureCases())
         covered.insert(featureCase.feature);
     EXPECT_EQ(covered.size(), gpu::kFeatureCount);
 }
@@ -240,7 +57,7 @@ TEST_P(FeatureTest, ChangesThePicture) {
     EXPECT_GT(differentPixels(with.image, without.image), with.image.pixels.size() / 20);
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryOne, FeatureTest, testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(EveryOne, FeatureTest, testing::ValuesIn(featureCases()),
                          [](const auto& test) { return std::string(test.param.name); });
 
 } // namespace

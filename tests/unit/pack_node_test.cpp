@@ -56,7 +56,7 @@ Bvh::Node randomNode(const glm::dvec3& place, double size, RandomNumbers& random
 }
 
 void expectToHold(const Bvh::Node& node) {
-    const gpu::BvhNode packed = packNode(node, {});
+    const gpu::BvhNode packed = packNode(node, {}, 0);
     for (uint32_t slot = 0; slot < Bvh::kSlots; ++slot) {
         const PackedBox box = boxOf(packed, slot);
         for (int axis = 0; axis < 3; ++axis) {
@@ -109,7 +109,7 @@ TEST(PackNode, UsesMoreThanAQuarterOfItsGrid) {
     RandomNumbers random(73);
     for (int i = 0; i < 1000; ++i) {
         const Bvh::Node node = randomNode({}, random.powerOfTen(-10.0, 10.0), random);
-        const gpu::BvhNode packed = packNode(node, {});
+        const gpu::BvhNode packed = packNode(node, {}, 0);
         for (int axis = 0; axis < 3; ++axis) {
             const double extent = double{node.bounds.upper[axis]} - node.bounds.lower[axis];
             EXPECT_LE(extent, 255.0 * cellSize(packed, axis));
@@ -121,12 +121,11 @@ TEST(PackNode, UsesMoreThanAQuarterOfItsGrid) {
 TEST(PackNode, SaysWhatItsChildrenAre) {
     Bvh::Node node;
     node.bounds = {{0, 0, 0}, {1, 1, 1}};
-    node.firstNode = 77;
     node.slots[1] = {node.bounds, Bvh::SlotKind::Triangles, 2};
     node.slots[3] = {node.bounds, Bvh::SlotKind::Node, 0};
     node.slots[6] = {node.bounds, Bvh::SlotKind::Quadrics, 3};
-    const gpu::BvhNode packed = packNode(node, {5, 9});
-    EXPECT_EQ(packed.firstNode, 77u);
+    const gpu::BvhNode packed = packNode(node, {5, 9}, 77);
+    EXPECT_EQ(packed.childBase, 77u);
     EXPECT_EQ(packed.firstTriangle, 5u);
     EXPECT_EQ(packed.firstQuadric, 9u);
     EXPECT_EQ(packed.nodesAndExponents >> 24, 1u << 3);

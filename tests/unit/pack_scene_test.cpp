@@ -136,7 +136,7 @@ TEST(PackScene, LinksLightsAndPrimitivesBothWays) {
         EXPECT_EQ(quadric.light == gpu::kNone, quadric.id == 1);
 }
 
-TEST(PackScene, ItsNodesShareOutThePrimitivesInTheirOrder) {
+TEST(PackScene, ItsNodesShareOutThePrimitives) {
     std::vector<Shape> shapes;
     for (int i = 0; i < 100; ++i) {
         shapes.push_back(shapeOf(Sphere{{glm::dmat3(1.0), {double(i), 0.0, 0.0}}, 0.4}));
@@ -144,20 +144,23 @@ TEST(PackScene, ItsNodesShareOutThePrimitivesInTheirOrder) {
             shapeOf(singleTriangle({double(i), 0, 0}, {i + 0.5, 1, 0}, {i + 0.5, 0, 1})));
     }
     const GpuScene scene = packed(shapes);
-    size_t triangles = 0;
-    size_t quadrics = 0;
-    for (const gpu::BvhNode& node : scene.nodes) {
-        EXPECT_EQ(node.firstTriangle, triangles);
-        EXPECT_EQ(node.firstQuadric, quadrics);
+    std::vector<uint32_t> triangleLeaves(scene.triangles.size());
+    std::vector<uint32_t> quadricLeaves(scene.quadrics.size());
+    std::vector<uint32_t> places = {0};
+    for (size_t i = 0; i < places.size(); ++i) {
+        const gpu::BvhNode& node = scene.nodes.at(places[i]);
+        uint32_t triangle = node.firstTriangle;
+        uint32_t quadric = node.firstQuadric;
         for (uint32_t child = 0; child < 8; ++child) {
+            if ((node.nodesAndExponents >> (24 + child) & 1u) != 0)
+                places.push_back(node.childBase + child);
             const bool isQuadrics = (node.primitives >> (24 + child) & 1u) != 0;
-            (isQuadrics ? quadrics : triangles) +=
-                static_cast<size_t>(std::popcount(node.primitives >> (3 * child) & 7u));
+            for (int left = std::popcount(node.primitives >> (3 * child) & 7u); left > 0; --left)
+                ++(isQuadrics ? quadricLeaves.at(quadric++) : triangleLeaves.at(triangle++));
         }
     }
-    EXPECT_EQ(triangles, scene.triangles.size());
-    EXPECT_EQ(quadrics, scene.quadrics.size());
-    EXPECT_EQ(triangles + quadrics, shapes.size());
+    EXPECT_EQ(triangleLeaves, std::vector<uint32_t>(100, 1));
+    EXPECT_EQ(quadricLeaves, std::vector<uint32_t>(100, 1));
 }
 
 TEST(PackScene, CarriesMaterialsAndTheCamera) {

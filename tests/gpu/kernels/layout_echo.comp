@@ -226,7 +226,7 @@ void main() {
     BvhNode node = loadNode(1u);
     put(node.origin);
     put(node.nodesAndExponents);
-    put(node.firstNode);
+    put(node.childBase);
     put(node.firstTriangle);
     put(node.firstQuadric);
     put(node.primitives);

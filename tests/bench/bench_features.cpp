@@ -1,0 +1,107 @@
+// What each feature of the kernel costs: a scene that does without, rendered by a kernel that lacks
+// the feature, by one that has it, and the scene with something that uses it. Prints a table of
+// frames a second and ratios, medians of the rounds, the three in turn.
+// usage: bench_features [ROUNDS]
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "cli/bench_report.h"
+#include "support/feature_cases.h"
+#include "support/render_scene.h"
+
+namespace {
+
+using namespace calotype;
+using namespace calotype::test;
+
+/// What a scene of triangles alone cannot show: a metal ball under a ball that shines.
+SceneBuilder litBall() {
+    SceneBuilder builder;
+    Material metal;
+    metal.type = MaterialType::Metal;
+    metal.roughness = 0.3;
+    builder.scene() = litFloor().scene();
+    builder.scene().shapes.clear();
+    builder.scene().materials = {metal, metal};
+    builder.scene().materials[1].emission = glm::dvec3(5.0);
+    builder.add(makeShape(Sphere{{}, 0.6}, 0));
+    builder.add(makeShape(Sphere{{glm::dmat3(1.0), {0.0, 2.5, 0.0}}, 0.5}, 1));
+    return builder;
+}
+
+void addRectangle(SceneBuilder& builder, uint32_t material) {
+    builder.rectangle({-3.0, -0.7, 3.0}, {6.0, 0.0, 0.0}, {0.0, 0.0, -6.0}, material);
+}
+
+struct Row {
+    uint32_t feature;
+    Scene without;
+    Scene with;
+};
+
+Row rowOf(uint32_t feature, SceneBuilder base, const SceneChange& change) {
+    Scene without = base.scene();
+    change(base);
+    return {feature, std::move(without), base.scene()};
+}
+
+/// A row for each feature, the lit floor's own ones beside the lit ball.
+std::vector<Row> rows() {
+    std::vector<Row> rows = {
+        rowOf(gpu::kFeatureTriangles, litBall(), [](SceneBuilder& b) { addRectangle(b, 0); }),
+        rowOf(gpu::kFeatureTriangleLights, litBall(), [](SceneBuilder& b) { addRectangle(b, 1); }),
+        rowOf(gpu::kFeatureDiffuse, litBall(),
+              [](SceneBuilder& b) { b.scene().materials[0].type = MaterialType::Diffuse; })};
+    const auto isThere = [&](uint32_t feature) {
+        return std::ranges::any_of(rows, [&](const Row& row) { return row.feature == feature; });
+    };
+    for (const FeatureCase& featureCase : featureCases())
+        if (!isThere(featureCase.feature))
+            rows.push_back(rowOf(featureCase.feature, litFloor(), featureCase.change));
+    std::ranges::sort(rows, {}, &Row::feature);
+    return rows;
+}
+
+struct Frames {
+    SceneFeatures needed;
+    double perSecond;
+};
+
+Frames render(const Scene& scene, const std::optional<SceneFeatures>& features = std::nullopt) {
+    RenderWish wish;
+    wish.width = 256;
+    wish.height = 256;
+    wish.samplesPerPixel = 16;
+    wish.features = features;
+    const RenderedScene rendered = renderScene(scene, wish);
+    return {rendered.needed, 1.0 / rendered.totals.seconds};
+}
+
+void printRow(const Row& row, int rounds) {
+    std::vector<double> out, unused, used;
+    for (int round = 0; round < rounds; ++round) {
+        const Frames without = render(row.without);
+        SceneFeatures features = without.needed;
+        features.enabled[row.feature] = true;
+        out.push_back(without.perSecond);
+        unused.push_back(render(row.without, features).perSecond);
+        used.push_back(render(row.with).perSecond);
+    }
+    const double base = spreadOf(out).median;
+    std::printf("| %s | %.2f | %.2f (%.2f) | %.2f (%.2f) |\n",
+                std::string(kFeatureNames[row.feature]).c_str(), base, spreadOf(unused).median,
+                spreadOf(unused).median / base, spreadOf(used).median,
+                spreadOf(used).median / base);
+    std::fflush(stdout);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    const int rounds = argc > 1 ? std::atoi(argv[1]) : 5;
+    std::printf("| feature | compiled out | in, unused | in, used |\n|---|---|---|---|\n");
+    for (const Row& row : rows())
+        printRow(row, std::max(rounds, 1));
+}

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+
+#include "support/scene_builder.h"
+
+namespace calotype::test {
+
+/// A floor under a lamp, in 24 x 24 pixels. What tests add stands about the origin.
+SceneBuilder litFloor();
+
+using SceneChange = std::function<void(SceneBuilder&)>;
+
+/// What makes the lit floor need a feature of the kernel.
+struct FeatureCase {
+    uint32_t feature; ///< gpu::kFeature...
+    const char* name;
+    SceneChange change;
+    /// Takes the feature from the scene, where a kernel without it would take what it finds there
+    /// for something else, and read beyond its buffers.
+    std::function<void(Scene&)> removal = {};
+};
+
+/// At least one for every feature.
+std::span<const FeatureCase> featureCases();
+
+} // namespace calotype::test
