@@ -1,6 +1,7 @@
 #include "accel/collapse.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "base/fork_join.h"
@@ -11,48 +12,47 @@ namespace {
 
 constexpr uint32_t kMostRoots = Bvh::kSlots - 1;
 
-/// The least cost of the primitives below a node of the binary tree, if they hang from at most
-/// 1, 2, ... kMostRoots children of one wide node: C(n, i) of the paper.
-using Costs = std::array<float, kMostRoots>;
+/// What is best done with the primitives below an inner node of the binary tree.
+struct Choice {
+    bool isLeaf = false; ///< as one child of a wide node: a leaf, not a node
+    /// As 2, 3, ... kSlots children of one wide node: how many of them the left side gets, or 0
+    /// where one child fewer is as good.
+    std::array<uint8_t, kMostRoots> ofLeft{};
+};
 
-/// The least cost by dynamic programming from the leaves up, and the choices that lead to it.
-class CostTable {
+/// Choices of the least cost, by dynamic programming from the leaves up.
+class Choices {
 public:
-    CostTable(const BinaryTree& tree, std::span<const Primitive> primitives, uint32_t threads)
+    Choices(const BinaryTree& tree, std::span<const Primitive> primitives, uint32_t threads)
         : tree_(tree), primitives_(primitives), threads_(threads),
           isMixed_(std::ranges::any_of(primitives, [&](const Primitive& primitive) {
               return primitive.kind != primitives.front().kind;
           })) {
-        rows_.resize(tree.nodes.size() / 2);
-        if (!rows_.empty())
-            fill(0, 0);
+        choices_.resize(tree.nodes.size() / 2);
+        if (!tree.nodes.empty())
+            choose(0, 0);
     }
 
-    /// Whether the node, as one child, is better a leaf than a wide node.
-    bool isLeaf(uint32_t node) const {
-        return canBeLeaf(node) &&
-               (tree_.nodes[node].isLeaf() || costOfLeaf(node) <= costOfNode(node));
-    }
+    /// Whether the node, as one child, is a leaf.
+    bool isLeaf(uint32_t node) const { return tree_.nodes[node].isLeaf() || at(node).isLeaf; }
 
-    /// How many of `roots` >= 2 children the left side of an inner node gets.
-    uint32_t rootsOfLeft(uint32_t node, uint32_t roots) const {
-        return distribute(node, roots).left;
-    }
-
-    /// Whether the primitives below the node had better hang from fewer than `roots` >= 2 children.
-    bool needsFewer(uint32_t node, uint32_t roots) const {
-        return cost(node, roots - 1) < distribute(node, roots).cost;
-    }
+    /// How many of `roots` >= 2 children the left side of an inner node gets, or 0 where fewer are
+    /// as good.
+    uint32_t rootsOfLeft(uint32_t node, uint32_t roots) const { return at(node).ofLeft[roots - 2]; }
 
 private:
+    /// The least cost of the primitives below a node, if they hang from at most 1, 2, ...
+    /// kMostRoots children of one wide node: C(n, i) of the paper.
+    using Costs = std::array<float, kMostRoots>;
+
     struct Distribution {
         float cost = std::numeric_limits<float>::infinity();
-        uint32_t left = 0;
+        uint8_t ofLeft = 0;
     };
 
-    float cost(uint32_t node, uint32_t roots) const {
-        return tree_.nodes[node].isLeaf() ? costOfLeaf(node) : row(node)[roots - 1];
-    }
+    /// Inner nodes have one each: all nodes before this one but the leaves among them.
+    const Choice& at(uint32_t node) const { return choices_[node - tree_.nodes[node].first]; }
+    Choice& at(uint32_t node) { return choices_[node - tree_.nodes[node].first]; }
 
     /// Few primitives, of one kind.
     bool canBeLeaf(uint32_t node) const {
@@ -66,55 +66,57 @@ private:
         return true;
     }
 
-    /// Inner nodes have a row each: all nodes before this one but the leaves among them.
-    const Costs& row(uint32_t node) const { return rows_[node - tree_.nodes[node].first]; }
-    Costs& row(uint32_t node) { return rows_[node - tree_.nodes[node].first]; }
-
     float costOfLeaf(uint32_t node) const {
         return halfAreaOf(tree_.nodes[node].bounds) * static_cast<float>(tree_.nodes[node].count);
     }
 
-    float costOfNode(uint32_t node) const {
-        return distribute(node, Bvh::kSlots).cost +
-               kNodeCost * halfAreaOf(tree_.nodes[node].bounds);
-    }
-
-    Distribution distribute(uint32_t node, uint32_t roots) const {
-        const uint32_t left = BinaryTree::leftOf(node);
-        const uint32_t right = tree_.rightOf(node);
+    /// The best way to give the left side some of `roots` children and the right side the others.
+    static Distribution distribute(const Costs& left, const Costs& right, uint32_t roots) {
         Distribution best;
-        for (uint32_t ofLeft = 1; ofLeft < roots; ++ofLeft) {
-            const float sum = cost(left, std::min(ofLeft, kMostRoots)) +
-                              cost(right, std::min(roots - ofLeft, kMostRoots));
+        for (uint8_t ofLeft = 1; ofLeft < roots; ++ofLeft) {
+            const float sum = left[ofLeft - 1] + right[roots - ofLeft - 1];
             if (sum < best.cost)
                 best = {sum, ofLeft};
         }
         return best;
     }
 
-    void fill(uint32_t node, uint32_t depth) {
+    Costs choose(uint32_t node, uint32_t depth) {
         constexpr uint32_t kFewestPrimitives = 8192;
         const BinaryTree::Node& binary = tree_.nodes[node];
-        if (binary.isLeaf())
-            return;
+        Costs costs;
+        if (binary.isLeaf()) {
+            costs.fill(costOfLeaf(node));
+            return costs;
+        }
         const bool forks = threads_ > 1 && binary.count >= kFewestPrimitives &&
                            (uint64_t{1} << depth) < uint64_t{8} * threads_;
+        Costs left;
+        Costs right;
         forkJoin(
-            forks, [&] { fill(BinaryTree::leftOf(node), depth + 1); },
-            [&] { fill(tree_.rightOf(node), depth + 1); });
-        Costs& costs = row(node);
-        const float leaf =
-            canBeLeaf(node) ? costOfLeaf(node) : std::numeric_limits<float>::infinity();
-        costs[0] = std::min(leaf, costOfNode(node));
-        for (uint32_t roots = 2; roots <= kMostRoots; ++roots)
-            costs[roots - 1] = std::min(costs[roots - 2], distribute(node, roots).cost);
+            forks, [&] { left = choose(BinaryTree::leftOf(node), depth + 1); },
+            [&] { right = choose(tree_.rightOf(node), depth + 1); });
+        Choice& choice = at(node);
+        const Distribution asNode = distribute(left, right, Bvh::kSlots);
+        choice.ofLeft.back() = asNode.ofLeft;
+        costs[0] = asNode.cost + kNodeCost * halfAreaOf(binary.bounds);
+        choice.isLeaf = canBeLeaf(node) && costOfLeaf(node) <= costs[0];
+        if (choice.isLeaf)
+            costs[0] = costOfLeaf(node);
+        for (uint32_t roots = 2; roots <= kMostRoots; ++roots) {
+            const Distribution asForest = distribute(left, right, roots);
+            const bool needsAll = asForest.cost < costs[roots - 2];
+            costs[roots - 1] = needsAll ? asForest.cost : costs[roots - 2];
+            choice.ofLeft[roots - 2] = needsAll ? asForest.ofLeft : 0;
+        }
+        return costs;
     }
 
     const BinaryTree& tree_;
     std::span<const Primitive> primitives_;
     uint32_t threads_;
     bool isMixed_; ///< primitives are of more than one kind
-    std::vector<Costs> rows_;
+    std::vector<Choice> choices_;
 };
 
 constexpr uint32_t kNoChild = ~0u;
@@ -127,40 +129,40 @@ struct Children {
     void add(uint32_t node) { nodes[count++] = node; }
 };
 
-/// Puts each child into a slot: pairs of child and slot in the order of how far the child lies in
-/// the slot's direction from the middle of the node, greedily.
+/// Puts each child into a slot: the free one in whose direction from the middle of the node it lies
+/// farthest, beginning with the child that lies farthest in any.
 std::array<uint32_t, Bvh::kSlots> childOfSlot(const BinaryTree& tree, const Bounds3f& bounds,
                                               const Children& children) {
-    std::array<uint32_t, Bvh::kSlots> childOf;
-    childOf.fill(kNoChild);
+    struct FreeChild {
+        glm::vec3 offset{0.0f};
+        float farthest = -1.0f; ///< how far it lies in the direction of its best slot
+        uint32_t node = kNoChild;
+    };
     const glm::vec3 middle = bounds.lower + bounds.upper;
-    std::array<std::array<float, Bvh::kSlots>, Bvh::kSlots> distances; // of child and slot
+    std::array<FreeChild, Bvh::kSlots> waiting;
     for (uint32_t i = 0; i < children.count; ++i) {
         const Bounds3f& box = tree.nodes[children.nodes[i]].bounds;
         const glm::vec3 offset = box.lower + box.upper - middle;
-        for (uint32_t slot = 0; slot < Bvh::kSlots; ++slot)
-            distances[i][slot] = (slot & 4 ? offset.x : -offset.x) +
-                                 (slot & 2 ? offset.y : -offset.y) +
-                                 (slot & 1 ? offset.z : -offset.z);
+        waiting[i] = {offset, std::abs(offset.x) + std::abs(offset.y) + std::abs(offset.z),
+                      children.nodes[i]};
     }
-    std::array<bool, Bvh::kSlots> isPlaced{};
-    for (uint32_t placed = 0; placed < children.count; ++placed) {
-        float farthest = -std::numeric_limits<float>::infinity();
-        uint32_t bestChild = 0;
+    std::array<uint32_t, Bvh::kSlots> childOf;
+    childOf.fill(kNoChild);
+    for (uint32_t i = 0; i < children.count; ++i) {
+        FreeChild& next = *std::ranges::max_element(waiting, {}, &FreeChild::farthest);
+        float farthestInSlot = -std::numeric_limits<float>::infinity();
         uint32_t bestSlot = 0;
         for (uint32_t slot = 0; slot < Bvh::kSlots; ++slot) {
-            if (childOf[slot] != kNoChild)
-                continue;
-            for (uint32_t i = 0; i < children.count; ++i) {
-                if (!isPlaced[i] && distances[i][slot] > farthest) {
-                    farthest = distances[i][slot];
-                    bestChild = i;
-                    bestSlot = slot;
-                }
+            const float distance = (slot & 4 ? next.offset.x : -next.offset.x) +
+                                   (slot & 2 ? next.offset.y : -next.offset.y) +
+                                   (slot & 1 ? next.offset.z : -next.offset.z);
+            if (childOf[slot] == kNoChild && distance > farthestInSlot) {
+                farthestInSlot = distance;
+                bestSlot = slot;
             }
         }
-        childOf[bestSlot] = children.nodes[bestChild];
-        isPlaced[bestChild] = true;
+        childOf[bestSlot] = next.node;
+        next.farthest = -1.0f; // less than any
     }
     return childOf;
 }
@@ -170,12 +172,13 @@ class Collapser {
 public:
     Collapser(const BinaryTree& tree, std::span<const Primitive> primitives, uint32_t threads)
         : tree_(tree), primitives_(primitives), threads_(threads),
-          costs_(tree, primitives, threads) {}
+          choices_(tree, primitives, threads) {}
 
     Bvh collapse() {
         if (tree_.nodes.empty())
             return {};
         bvh_.order.resize(tree_.order.size());
+        bvh_.nodes.reserve(tree_.order.size() / 8 + 1); // about a node for ten primitives
         std::vector<uint32_t> level = {0};
         while (!level.empty()) {
             level = addLevel(level);
@@ -203,16 +206,17 @@ private:
                 nextPrimitive_ += slot.count;
             }
         }
-        std::vector<uint32_t> next;
-        next.reserve(nextNode - bvh_.nodes.size());
-        for (size_t i = 0; i < level.size(); ++i)
-            placeContents(bvh_.nodes[begin + i], childrenOf[i], next);
+        std::vector<uint32_t> next(nextNode - bvh_.nodes.size());
+        parallelFor(0, level.size(), threads_, [&](uint64_t i, uint32_t) {
+            const Bvh::Node& node = bvh_.nodes[begin + i];
+            placeContents(node, childrenOf[i], next.data() + (node.firstNode - bvh_.nodes.size()));
+        });
         return next;
     }
 
     std::array<uint32_t, Bvh::kSlots> fillSlots(Bvh::Node& node, uint32_t binary) const {
         Children children;
-        if (costs_.isLeaf(binary)) // of few primitives, the root
+        if (choices_.isLeaf(binary)) // of few primitives, the root
             children.add(binary);
         else
             addRoots(binary, Bvh::kSlots, children);
@@ -223,7 +227,7 @@ private:
                 continue;
             const BinaryTree::Node& child = tree_.nodes[childOf[slot]];
             node.slots[slot] = {child.bounds};
-            if (costs_.isLeaf(childOf[slot])) {
+            if (choices_.isLeaf(childOf[slot])) {
                 node.slots[slot].kind = kindOfLeaf(child);
                 node.slots[slot].count = static_cast<uint8_t>(child.count);
             } else {
@@ -241,14 +245,14 @@ private:
 
     /// Adds the best forest of at most `roots` >= 2 trees for what is below an inner node.
     void addRoots(uint32_t node, uint32_t roots, Children& children) const {
-        const uint32_t ofLeft = costs_.rootsOfLeft(node, roots);
+        const uint32_t ofLeft = choices_.rootsOfLeft(node, roots);
         addForest(BinaryTree::leftOf(node), ofLeft, children);
         addForest(tree_.rightOf(node), roots - ofLeft, children);
     }
 
     void addForest(uint32_t node, uint32_t roots, Children& children) const {
         if (!tree_.nodes[node].isLeaf()) {
-            while (roots > 1 && costs_.needsFewer(node, roots))
+            while (roots > 1 && choices_.rootsOfLeft(node, roots) == 0)
                 --roots;
             if (roots > 1)
                 return addRoots(node, roots, children);
@@ -256,12 +260,13 @@ private:
         children.add(node);
     }
 
+    /// Of a node whose place is known, the primitives, and the children at `next`.
     void placeContents(const Bvh::Node& node, const std::array<uint32_t, Bvh::kSlots>& childOf,
-                       std::vector<uint32_t>& next) {
+                       uint32_t* next) {
         uint32_t place = node.firstPrimitive;
         for (uint32_t slot = 0; slot < Bvh::kSlots; ++slot) {
             if (node.slots[slot].kind == Bvh::SlotKind::Node)
-                next.push_back(childOf[slot]);
+                *next++ = childOf[slot];
             for (uint32_t i = 0; i < node.slots[slot].count; ++i)
                 bvh_.order[place++] = tree_.order[tree_.nodes[childOf[slot]].first + i];
         }
@@ -270,7 +275,7 @@ private:
     const BinaryTree& tree_;
     std::span<const Primitive> primitives_;
     uint32_t threads_;
-    CostTable costs_;
+    Choices choices_;
     Bvh bvh_;
     uint32_t nextPrimitive_ = 0;
 };

@@ -21,13 +21,6 @@ std::span<const std::byte> checkRows(const Device& device, std::span<const std::
     return contents;
 }
 
-/// Of a CPU, whose kernels read scenes at random: translating addresses page by page took a seventh
-/// of their time.
-void adviseHugePagesOf(const vk::raii::DeviceMemory& memory, size_t bytes) {
-    adviseHugePages(memory.mapMemory(0, VK_WHOLE_SIZE), bytes);
-    memory.unmapMemory();
-}
-
 /// Makes what was copied visible to the kernels of later submissions.
 void showToKernels(const vk::raii::CommandBuffer& commands) {
     using Access = vk::AccessFlagBits;
@@ -47,15 +40,18 @@ Buffer::Buffer(const Device& device, size_t bytes, vk::BufferUsageFlags usage, M
         device.setName(buffer_, name);
         const auto requirements = buffer_.getMemoryRequirements();
         using Flag = vk::MemoryPropertyFlagBits;
-        const vk::MemoryPropertyFlags wanted =
-            memory == Memory::Host ? Flag::eHostVisible | Flag::eHostCoherent : Flag::eDeviceLocal;
-        memory_ = device.handle().allocateMemory(
-            {requirements.size, device.memoryType(requirements.memoryTypeBits, wanted)});
+        const vk::MemoryPropertyFlags mappable = Flag::eHostVisible | Flag::eHostCoherent;
+        const uint32_t type = device.memoryType(
+            requirements.memoryTypeBits, memory == Memory::Host ? mappable : Flag::eDeviceLocal);
+        memory_ = device.handle().allocateMemory({requirements.size, type});
         buffer_.bindMemory(*memory_, 0);
-        if (memory == Memory::Device && device.info().type == "CPU")
-            adviseHugePagesOf(memory_, requirements.size);
-        if (memory == Memory::Host)
+        const bool isCpu = device.info().type == "CPU";
+        if (memory == Memory::Host || (isCpu && (device.memoryFlags(type) & mappable) == mappable))
             mapped_ = memory_.mapMemory(0, VK_WHOLE_SIZE);
+        // A CPU's kernels read scenes at random: translating addresses page by page took a seventh
+        // of their time.
+        if (memory == Memory::Device && mapped_)
+            adviseHugePages(mapped_, requirements.size);
     });
 }
 
@@ -64,6 +60,10 @@ Buffer uploadBuffer(const Device& device, std::span<const std::byte> contents,
     using Usage = vk::BufferUsageFlagBits;
     Buffer buffer(device, contents.size(), usage | Usage::eTransferDst, Buffer::Memory::Device,
                   name);
+    if (!buffer.mapped<std::byte>().empty()) {
+        std::ranges::copy(contents, buffer.mapped<std::byte>().begin());
+        return buffer;
+    }
     constexpr size_t kStagingBytes = size_t{64} << 20;
     const Buffer staging(device, std::min(contents.size(), kStagingBytes), Usage::eTransferSrc,
                          Buffer::Memory::Host, "staging for " + name);

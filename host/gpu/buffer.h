@@ -13,7 +13,7 @@ namespace calotype {
 class Buffer {
 public:
     enum class Memory {
-        Device, ///< fast for kernels; the host reaches it by copies only
+        Device, ///< fast for kernels; mapped where the device is a CPU, else reached by copies
         Host,   ///< mapped for good, coherent
     };
 
@@ -23,10 +23,10 @@ public:
     vk::Buffer handle() const { return *buffer_; }
     size_t bytes() const { return bytes_; }
 
-    /// The buffer's contents, for Memory::Host.
+    /// The buffer's contents; empty where they are not mapped.
     template <typename T>
     std::span<T> mapped() const {
-        return {static_cast<T*>(mapped_), bytes_ / sizeof(T)};
+        return {static_cast<T*>(mapped_), mapped_ ? bytes_ / sizeof(T) : 0};
     }
 
 private:

@@ -31,6 +31,11 @@ public:
     /// Index of a memory type among `allowed` (a bit mask) with all of `wanted`. Throws GpuError.
     uint32_t memoryType(uint32_t allowed, vk::MemoryPropertyFlags wanted) const;
 
+    /// What memory of a type is like.
+    vk::MemoryPropertyFlags memoryFlags(uint32_t type) const {
+        return memory_.memoryTypes[type].propertyFlags;
+    }
+
     /// Records commands, submits them and waits until they are done.
     void submitAndWait(const std::function<void(const vk::raii::CommandBuffer&)>& record) const;
 

@@ -1,6 +1,8 @@
 #include "pack/gpu_scene.h"
 
 #include <algorithm>
+#include <mutex>
+#include <numeric>
 
 #include "base/check.h"
 #include "base/error.h"
@@ -59,32 +61,74 @@ private:
             uvs_ == PackedUvs::All ||
             std::any_of(std::begin(kTextureSlots), std::end(kTextureSlots),
                         [&](uint32_t slot) { return packed_.features.enabled[slot]; });
-        const auto quadrics = static_cast<size_t>(std::ranges::count_if(
-            primitives_, [](const auto& p) { return p.kind == PrimitiveKind::Quadric; }));
-        const size_t triangles = primitives_.size() - quadrics;
+        nameInOrder();
+        const size_t triangles = names_.size() - quadricCount_;
         enable(gpu::kFeatureTriangles, triangles > 0);
-        packed_.quadrics.resize(quadrics);
+        packed_.quadrics.resize(quadricCount_);
         packed_.triangles.resize(triangles);
         packed_.triangleNormals.resize(smooth ? triangles : 0);
         packed_.triangleUvs.resize(textured ? triangles : 0);
-        nameInOrder();
         parallelChunks(names_.size(), allCores(), [&](uint64_t first, uint64_t last) {
-            for (uint64_t place = first; place < last; ++place)
+            for (uint64_t place = first; place < last; ++place) {
+                prefetch(place, last);
                 packPrimitive(bvh_.order[place], names_[place]);
+            }
         });
-        for (size_t place = 0; place < names_.size(); ++place)
+        for (const gpu::Quadric& quadric : packed_.quadrics)
+            enable(gpu::kFeatureSpheres + quadric.kind, true);
+        for (const uint32_t place : placesOfLights())
             addLight(bvh_.order[place], names_[place]);
     }
 
     /// Of each primitive in the order of the leaves, its name (gpu::kQuadricBit).
     void nameInOrder() {
-        names_.reserve(bvh_.order.size());
-        uint32_t triangle = 0;
-        uint32_t quadric = 0;
-        for (const uint32_t number : bvh_.order)
-            names_.push_back(primitives_[number].kind == PrimitiveKind::Quadric
-                                 ? quadric++ | gpu::kQuadricBit
-                                 : triangle++);
+        names_.resize(bvh_.order.size());
+        std::iota(names_.begin(), names_.end(), 0u);
+        const auto isMesh = [](const Shape& shape) {
+            return std::holds_alternative<Mesh>(shape.geometry);
+        };
+        if (std::ranges::all_of(scene_.shapes, isMesh))
+            return;
+        uint32_t triangles = 0;
+        for (size_t place = 0; place < names_.size(); ++place)
+            names_[place] = primitives_[bvh_.order[place]].kind == PrimitiveKind::Quadric
+                                ? quadricCount_++ | gpu::kQuadricBit
+                                : triangles++;
+    }
+
+    uint32_t materialOf(uint32_t name) const {
+        const uint32_t index = name & ~gpu::kQuadricBit;
+        return ~gpu::kTransparentBit & (name == index ? packed_.triangles[index].material
+                                                      : packed_.quadrics[index].material);
+    }
+
+    /// Places in the order of the leaves of primitives that may be lights.
+    std::vector<uint32_t> placesOfLights() const {
+        std::mutex mutex;
+        std::vector<uint32_t> places;
+        parallelChunks(names_.size(), allCores(), [&](uint64_t first, uint64_t last) {
+            std::vector<uint32_t> found;
+            for (auto place = static_cast<uint32_t>(first); place < last; ++place)
+                if (lights_.isLight(materialOf(names_[place])))
+                    found.push_back(place);
+            const std::lock_guard lock(mutex);
+            places.insert(places.end(), found.begin(), found.end());
+        });
+        std::ranges::sort(places);
+        return places;
+    }
+
+    /// Leaves follow each other as they lie in space, primitives and triangles as they were made:
+    /// half the time went into waiting for memory. (Not inlined, GCC 12 drops it as doing nothing.)
+    [[gnu::always_inline]] void prefetch(uint64_t place, uint64_t last) const {
+        constexpr uint64_t kAhead = 16;
+        if (place + 2 * kAhead < last)
+            __builtin_prefetch(&primitives_[bvh_.order[place + 2 * kAhead]].shape);
+        if (place + kAhead >= last)
+            return;
+        const Primitive& next = primitives_[bvh_.order[place + kAhead]];
+        if (const Mesh* mesh = std::get_if<Mesh>(&scene_.shapes[next.shape].geometry))
+            __builtin_prefetch(&mesh->triangles[next.triangle]);
     }
 
     /// From several threads at a time: each primitive has a place of its own.
@@ -110,29 +154,21 @@ private:
     void addLight(uint32_t number, uint32_t name) {
         if ((name & gpu::kQuadricBit) != 0) {
             const gpu::Quadric& quadric = packed_.quadrics[name & ~gpu::kQuadricBit];
-            const uint32_t material = materialOf(quadric);
-            enable(gpu::kFeatureSpheres + quadric.kind, true);
             enable(gpu::kFeatureSphereLights + quadric.kind,
-                   lights_.isLight(material) &&
-                       lights_.add(material, name, number, areaOf(quadric)));
+                   lights_.add(materialOf(name), name, number, areaOf(quadric)));
         } else {
-            const gpu::Triangle& triangle = packed_.triangles[name];
-            const uint32_t material = materialOf(triangle);
             enable(gpu::kFeatureTriangleLights,
-                   lights_.isLight(material) &&
-                       lights_.add(material, name, number, areaOf(triangle)));
+                   lights_.add(materialOf(name), name, number, areaOf(packed_.triangles[name])));
         }
     }
 
-    template <typename PackedPrimitive>
-    static uint32_t materialOf(const PackedPrimitive& primitive) {
-        return primitive.material & ~gpu::kTransparentBit;
-    }
-
     bool anyTriangleHasNormals() const {
-        return std::any_of(primitives_.begin(), primitives_.end(), [&](const Primitive& primitive) {
-            const Mesh* mesh = std::get_if<Mesh>(&scene_.shapes[primitive.shape].geometry);
-            return mesh && mesh->triangles[primitive.triangle].normal[0] != Mesh::kNoNormal;
+        return std::ranges::any_of(scene_.shapes, [](const Shape& shape) {
+            const Mesh* mesh = std::get_if<Mesh>(&shape.geometry);
+            return mesh && !mesh->normals.empty() &&
+                   std::ranges::any_of(mesh->triangles, [](const Mesh::Triangle& triangle) {
+                       return triangle.normal[0] != Mesh::kNoNormal;
+                   });
         });
     }
 
@@ -172,17 +208,22 @@ private:
 
     /// Materials that something bears. What others would need of the kernel is left out.
     void packMaterials() {
-        for (const Primitive& primitive : primitives_) {
-            const Shape& shape = scene_.shapes[primitive.shape];
-            const Mesh* mesh = std::get_if<Mesh>(&shape.geometry);
-            const uint32_t index =
-                mesh ? mesh->triangles[primitive.triangle].material : shape.material;
-            if (isPacked_[index])
-                continue;
-            isPacked_[index] = true;
-            packed_.materials[index] =
-                packMaterial(scene_.materials[index], scene_.textures, textures_, packed_.features);
+        for (const Shape& shape : scene_.shapes) {
+            if (const Mesh* mesh = std::get_if<Mesh>(&shape.geometry)) {
+                for (const Mesh::Triangle& triangle : mesh->triangles)
+                    packMaterialOnce(triangle.material);
+            } else {
+                packMaterialOnce(shape.material);
+            }
         }
+    }
+
+    void packMaterialOnce(uint32_t index) {
+        if (isPacked_[index])
+            return;
+        isPacked_[index] = true;
+        packed_.materials[index] =
+            packMaterial(scene_.materials[index], scene_.textures, textures_, packed_.features);
     }
 
     uint32_t transparentBit(uint32_t material) const {
@@ -237,6 +278,7 @@ private:
     LightPacker lights_;
     std::vector<bool> isPacked_;  ///< by material
     std::vector<uint32_t> names_; ///< of the primitives, in the order of the leaves
+    uint32_t quadricCount_ = 0;
 };
 
 template <typename T>

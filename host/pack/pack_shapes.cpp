@@ -72,20 +72,24 @@ glm::dvec3 normalOf(const glm::dvec3& v0, const glm::dvec3& v1, const glm::dvec3
     return length > 0.0 ? normal / length : glm::dvec3(0.0);
 }
 
+void setNormal(gpu::Triangle& triangle, const glm::dvec3& normal) {
+    triangle.normalX = static_cast<float>(normal.x);
+    triangle.normalY = static_cast<float>(normal.y);
+    triangle.normalZ = static_cast<float>(normal.z);
+}
+
+bool hasNormal(const gpu::Triangle& triangle) {
+    return triangle.normalX != 0.0f || triangle.normalY != 0.0f || triangle.normalZ != 0.0f;
+}
+
 } // namespace
 
-gpu::Triangle packTriangle(const glm::vec3& v0, const glm::vec3& v1, const glm::vec3& v2,
-                           const glm::dvec3& fallback) {
-    glm::dvec3 normal = normalOf(glm::dvec3(v0), glm::dvec3(v1), glm::dvec3(v2));
-    if (normal == glm::dvec3(0.0))
-        normal = fallback;
+gpu::Triangle packTriangle(const glm::vec3& v0, const glm::vec3& v1, const glm::vec3& v2) {
     gpu::Triangle packed{};
     packed.v0 = v0;
     packed.v1 = v1;
     packed.v2 = v2;
-    packed.normalX = static_cast<float>(normal.x);
-    packed.normalY = static_cast<float>(normal.y);
-    packed.normalZ = static_cast<float>(normal.z);
+    setNormal(packed, normalOf(glm::dvec3(v0), glm::dvec3(v1), glm::dvec3(v2)));
     packed.light = gpu::kNone;
     return packed;
 }
@@ -96,8 +100,10 @@ gpu::Triangle packTriangle(const Mesh& mesh, uint32_t triangle, const glm::dvec3
     const glm::dvec3& v0 = mesh.positions[source.position[0]];
     const glm::dvec3& v1 = mesh.positions[source.position[1]];
     const glm::dvec3& v2 = mesh.positions[source.position[2]];
-    gpu::Triangle packed = packTriangle(packPosition(v0, origin), packPosition(v1, origin),
-                                        packPosition(v2, origin), normalOf(v0, v1, v2));
+    gpu::Triangle packed =
+        packTriangle(packPosition(v0, origin), packPosition(v1, origin), packPosition(v2, origin));
+    if (!hasNormal(packed))
+        setNormal(packed, normalOf(v0, v1, v2));
     packed.material = source.material;
     packed.id = number;
     return packed;

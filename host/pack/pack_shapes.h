@@ -6,12 +6,12 @@
 
 namespace calotype {
 
-/// A triangle of packed corners, with its normal; `fallback` where these have no area. The rest is
-/// left at zero, the light at kNone.
-gpu::Triangle packTriangle(const glm::vec3& v0, const glm::vec3& v1, const glm::vec3& v2,
-                           const glm::dvec3& fallback = {});
+/// A triangle of packed corners, with its normal, zero where these have no area. The rest is left
+/// at zero, the light at kNone.
+gpu::Triangle packTriangle(const glm::vec3& v0, const glm::vec3& v1, const glm::vec3& v2);
 
-/// `number` is the primitive's index in the scene's order. The light is left at kNone.
+/// `number` is the primitive's index in the scene's order. The normal is that of the mesh's own
+/// corners where the packed ones have no area. The light is left at kNone.
 gpu::Triangle packTriangle(const Mesh& mesh, uint32_t triangle, const glm::dvec3& origin,
                            uint32_t number);
 

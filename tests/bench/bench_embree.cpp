@@ -172,7 +172,8 @@ int main(int argc, char** argv) {
     settings.crop = {0, 0, settings.width, settings.height};
     StageSeconds seconds;
     const DeviceEngine engine(
-        {}, scene, {settings, false, BvhBuilder::Sah, [](const std::string&, double) {}}, seconds);
+        {}, scene, {settings, false, BvhBuilder::Sah, false, [](const std::string&, double) {}},
+        seconds);
     const EmbreeScene embree(engine.packed().triangles);
     const std::vector<Workload> workloads = {{"primary", {RayKind::afterBounces(0)}},
                                              {"path",
