@@ -86,9 +86,13 @@ BenchReport benchScene(const BenchScene& benchScene, const BenchOptions& options
     report.compilesEverything = options.compilesEverything;
     const Scene scene = timed(report.seconds.load, benchScene.load);
     RenderSettings& settings = report.settings;
-    settings = {
-        scene.film.width,        scene.film.height, {0, 0, scene.film.width, scene.film.height}, 1,
-        scene.render.maxBounces, scene.render.seed};
+    settings = {scene.film.width,
+                scene.film.height,
+                {0, 0, scene.film.width, scene.film.height},
+                1,
+                scene.render.maxBounces,
+                scene.render.seed,
+                options.sampler};
     EngineRequest request{settings, false, options.bvh, options.compilesEverything,
                           [](const std::string&, double) {}};
     request.settings.samplesPerPixel = (options.repeats + 2) * options.samplesPerPixel;

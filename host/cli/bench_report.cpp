@@ -40,12 +40,13 @@ Spread spreadOf(std::vector<double> numbers) {
 }
 
 std::string toText(const BenchReport& report) {
-    const auto& [width, height, crop, samples, bounces, seed] = report.settings;
+    const RenderSettings& settings = report.settings;
     const StageSeconds& seconds = report.seconds;
     std::string text = report.scene + ": " + std::to_string(report.primitives) + " primitives, " +
-                       std::to_string(width) + "x" + std::to_string(height) + ", " +
-                       std::to_string(samples) + " samples per pixel, " + std::to_string(bounces) +
-                       " bounces, on " + report.device.name + "\n";
+                       std::to_string(settings.width) + "x" + std::to_string(settings.height) +
+                       ", " + std::to_string(settings.samplesPerPixel) + " samples per pixel, " +
+                       std::to_string(settings.maxBounces) + " bounces, on " + report.device.name +
+                       "\n";
     text += "  paths         " + rateText(report.pathsPerSecond, "paths") + "\n";
     text += "  rays          " + rateText(report.raysPerSecond, "rays") + "\n";
     for (const TraversalRate& rate : report.traversal) {
@@ -73,6 +74,7 @@ std::string toJsonLine(const BenchReport& report) {
     json["resolution"] = {report.settings.width, report.settings.height};
     json["spp"] = report.settings.samplesPerPixel;
     json["max_bounces"] = report.settings.maxBounces;
+    json["sampler"] = report.settings.sampler == Sampler::Sobol ? "sobol" : "independent";
     json["repeats"] = report.repeats;
     json["everything_compiled"] = report.compilesEverything;
     json["paths_per_second"] = toJson(report.pathsPerSecond);

@@ -93,6 +93,13 @@ void addBvhOption(CLI::App& command, std::optional<BvhBuilder>& bvh) {
         "auto|median|sah");
 }
 
+void addSamplerOption(CLI::App& command, Sampler& sampler) {
+    addParsed(command, "--sampler", sampler, parseSampler,
+              "How random numbers are drawn: each for itself (independent, the default), or in "
+              "pairs that fill the square evenly (sobol)",
+              "independent|sobol");
+}
+
 CLI::App& addRenderCommand(CLI::App& app, RenderOptions& options) {
     CLI::App& command = *app.add_subcommand("render", "Render a scene to pictures");
     addSceneOptions(command, options.scene);
@@ -128,6 +135,7 @@ CLI::App& addRenderCommand(CLI::App& app, RenderOptions& options) {
         .add_option("--preview-file", options.previewFile,
                     "Where previews go (default: the first output)")
         ->type_name("FILE");
+    addSamplerOption(command, options.sampler);
     addBvhOption(command, options.bvh);
     command.add_option("--stats", options.statsFile, "Write statistics as JSON")->type_name("FILE");
     command.add_flag("-q,--quiet", options.quiet, "No progress, only warnings and errors")
@@ -180,6 +188,7 @@ CLI::App& addBenchCommand(CLI::App& app, BenchOptions& options) {
                      "Compile the whole kernel, whatever part of it the scene needs");
     command.add_option("--json", options.jsonFile, "Write a line of JSON a scene")
         ->type_name("FILE");
+    addSamplerOption(command, options.sampler);
     addBvhOption(command, options.bvh);
     addDeviceOptions(command, options.device);
     command.footer(

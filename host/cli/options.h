@@ -38,6 +38,7 @@ struct RenderOptions {
     std::optional<uint32_t> samplesPerPixel;
     std::optional<uint32_t> maxBounces;
     std::optional<uint32_t> seed;
+    Sampler sampler = Sampler::Independent;
     std::optional<PictureSize> size;
     std::optional<Crop> crop;
     DisplayTransform display;
@@ -67,7 +68,8 @@ struct BenchOptions {
     std::vector<SceneOverride> overrides;
     DeviceOptions device;
     std::optional<BvhBuilder> bvh; ///< none: the quickest for all repeats together
-    uint32_t samplesPerPixel = 4;  ///< of each repeat
+    Sampler sampler = Sampler::Independent;
+    uint32_t samplesPerPixel = 4; ///< of each repeat
     uint32_t repeats = 5;
     bool compilesEverything = false; ///< whatever of the kernel the scene needs
     std::string jsonFile;            ///< empty: none

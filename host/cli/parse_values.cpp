@@ -105,6 +105,12 @@ std::optional<BvhBuilder> parseBvh(const std::string& text) {
     return text == "median" ? BvhBuilder::Median : BvhBuilder::Sah;
 }
 
+Sampler parseSampler(const std::string& text) {
+    if (text != "independent" && text != "sobol")
+        fail("--sampler", text, "independent or sobol");
+    return text == "sobol" ? Sampler::Sobol : Sampler::Independent;
+}
+
 ToneMap parseToneMap(const std::string& text) {
     const auto toneMap = toneMapFromName(text);
     if (!toneMap)

@@ -18,6 +18,7 @@ MissingTextures parseMissingTextures(const std::string& text); ///< --missing-te
 ToneMap parseToneMap(const std::string& text);                 ///< --tonemap
 float parseExposure(const std::string& text);                  ///< --exposure "-1.5", in stops
 std::optional<BvhBuilder> parseBvh(const std::string& text);   ///< --bvh
+Sampler parseSampler(const std::string& text);                 ///< --sampler
 double parseMaxRelativeMse(const std::string& text);           ///< --max-relmse "1e-3"
 
 /// --aov "albedo,normal"

@@ -48,6 +48,7 @@ RenderSettings makeSettings(const RenderOptions& options, const Scene& scene) {
     settings.samplesPerPixel = options.samplesPerPixel.value_or(scene.render.samplesPerPixel);
     settings.maxBounces = options.maxBounces.value_or(scene.render.maxBounces);
     settings.seed = options.seed.value_or(scene.render.seed);
+    settings.sampler = options.sampler;
     return settings;
 }
 

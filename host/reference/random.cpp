@@ -41,16 +41,62 @@ glm::dvec4 fractions(const Words& w) {
     return {fraction(w[0]), fraction(w[1]), fraction(w[2]), fraction(w[3])};
 }
 
+uint32_t reversed(uint32_t bits) {
+    uint32_t result = 0;
+    for (uint32_t i = 0; i < 32; ++i)
+        result |= (bits >> i & 1u) << (31 - i);
+    return result;
+}
+
+/// The fraction, as 32 bits, scrambled as Owen's permutation trees do, by a hash (Burley 2020,
+/// "Practical Hash-based Owen Scrambling", with the constants of Vegdahl 2021).
+uint32_t owenScrambled(uint32_t fraction, uint32_t seed) {
+    uint32_t x = reversed(fraction);
+    x ^= x * 0x3D20ADEAu;
+    x += seed;
+    x *= (seed >> 16) | 1u;
+    x ^= x * 0x05526C56u;
+    x ^= x * 0x53A22864u;
+    return reversed(x);
+}
+
+/// Sobol's second dimension, whose direction numbers are those of the polynomial x + 1.
+uint32_t sobolY(uint32_t index) {
+    uint32_t y = 0;
+    for (uint32_t direction = 1u << 31; index != 0; index >>= 1, direction ^= direction >> 1)
+        y ^= (index & 1u) != 0 ? direction : 0;
+    return y;
+}
+
+/// Blocks of 16 samples belong to eight replicas in turn, each with an index of its own.
+glm::dvec2 sobolPoint(const SampleId& id, uint32_t use) {
+    constexpr uint32_t kBlock = 16;
+    constexpr uint32_t kReplicas = 8;
+    const uint32_t block = id.sampleIndex / kBlock;
+    const uint32_t index = block / kReplicas * kBlock + id.sampleIndex % kBlock;
+    const Words seeds =
+        hash({id.pixel.x | id.pixel.y << 16, block % kReplicas, 0x80000000u + use, id.seed});
+    const uint32_t order = owenScrambled(index, seeds[0]);
+    return {fraction(owenScrambled(reversed(order), seeds[1])),
+            fraction(owenScrambled(sobolY(order), seeds[2]))};
+}
+
+glm::dvec4 numbers(const SampleId& id, uint32_t group) {
+    return id.sampler == Sampler::Sobol
+               ? glm::dvec4(sobolPoint(id, 2 * group), sobolPoint(id, 2 * group + 1))
+               : fractions(hash(id, group));
+}
+
 uint32_t bounceGroup(uint32_t bounce, BounceDimension dimension) {
     return kFirstBounceGroup + kGroupsPerBounce * bounce + static_cast<uint32_t>(dimension);
 }
 
 } // namespace
 
-glm::dvec4 cameraNumbers(const SampleId& id) { return fractions(hash(id, kCameraGroup)); }
+glm::dvec4 cameraNumbers(const SampleId& id) { return numbers(id, kCameraGroup); }
 
 glm::dvec4 bounceNumbers(const SampleId& id, uint32_t bounce, BounceDimension dimension) {
-    return fractions(hash(id, bounceGroup(bounce, dimension)));
+    return numbers(id, bounceGroup(bounce, dimension));
 }
 
 double alphaNumber(const SampleId& id, uint32_t bounce, uint32_t item) {

@@ -5,6 +5,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
+#include "scene/sampler.h"
+
 namespace calotype::reference {
 
 /// What a path's random numbers depend on. Sample indices are absolute.
@@ -12,6 +14,7 @@ struct SampleId {
     glm::uvec2 pixel{0}; ///< on the whole film, below 65536 each
     uint32_t sampleIndex = 0;
     uint32_t seed = 0;
+    Sampler sampler = Sampler::Independent;
 };
 
 /// A path's numbers in groups of four, as the device numbers them: one group for the camera, then
@@ -22,7 +25,8 @@ enum class BounceDimension : uint32_t {
     Alpha = 2, ///< whether surfaces on the way to the next event let through
 };
 
-/// Four independent numbers in [0, 1), multiples of 2^-24, for the position on film and lens.
+/// Four numbers in [0, 1), multiples of 2^-24, for the position on film and lens: independent ones,
+/// or two of Sobol's points.
 glm::dvec4 cameraNumbers(const SampleId& id);
 
 /// Likewise for the event `bounce` of the path.

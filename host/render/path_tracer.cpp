@@ -59,7 +59,7 @@ PathTracer::PathTracer(const Device& device, const GpuScene& scene, const SceneB
                          .spirv = kPathTraceSpirv,
                          .bindings = withKernelBindings(buffers.bindings(), camera_, block_,
                                                         counters_, parkedPaths_),
-                         .constants = specialization(device, features, tuning),
+                         .constants = specialization(device, features, tuning, settings.sampler),
                          .pushConstantBytes = sizeof(gpu::RenderParameters)}) {
     // Some drivers compile at the first dispatch: let that be one without samples.
     beginBlock(0);

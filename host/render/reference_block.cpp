@@ -67,7 +67,7 @@ void ReferenceBlock::renderPixel(glm::uvec2 position, uint32_t sampleEnd,
         }
         const reference::ReferenceTracer::Sample sample =
             tracer_.trace({position + glm::uvec2(crop.x, crop.y), firstSample_ + pixel.sampleCount,
-                           settings_.seed});
+                           settings_.seed, settings_.sampler});
         pixel.sum += sample.isFinite ? sample.radiance : glm::dvec3(0.0);
         counters.rays += sample.rays;
         ++counters.paths;

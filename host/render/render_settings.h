@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "scene/sampler.h"
+
 namespace calotype {
 
 /// A rectangle of the film, in pixels from its top left corner.
@@ -19,6 +21,7 @@ struct RenderSettings {
     uint32_t samplesPerPixel = 0;
     uint32_t maxBounces = 0;
     uint32_t seed = 0;
+    Sampler sampler = Sampler::Independent;
 };
 
 } // namespace calotype

@@ -3,7 +3,7 @@
 namespace calotype {
 
 std::vector<uint32_t> specialization(const Device& device, const SceneFeatures& features,
-                                     const KernelTuning& tuning) {
+                                     const KernelTuning& tuning, Sampler sampler) {
     std::vector<uint32_t> constants(features.enabled.begin(), features.enabled.end());
     constants.resize(gpu::kConstantCount);
     constants[gpu::kConstantSubgroupSize] = device.info().subgroupSize;
@@ -11,6 +11,7 @@ std::vector<uint32_t> specialization(const Device& device, const SceneFeatures& 
     constants[gpu::kConstantPrimitiveEighths] = tuning.primitiveEighths;
     constants[gpu::kConstantRayEighths] = tuning.rayEighths;
     constants[gpu::kConstantEventEighths] = tuning.eventEighths;
+    constants[gpu::kConstantSobol] = sampler == Sampler::Sobol ? 1 : 0;
     return constants;
 }
 

@@ -6,11 +6,13 @@
 #include "gpu/device.h"
 #include "pack/scene_features.h"
 #include "render/kernel_tuning.h"
+#include "scene/sampler.h"
 
 namespace calotype {
 
 /// The specialization constants of a kernel, indexed by the identifiers in shared/bindings.h.
 std::vector<uint32_t> specialization(const Device& device, const SceneFeatures& features,
-                                     const KernelTuning& tuning = {});
+                                     const KernelTuning& tuning = {},
+                                     Sampler sampler = Sampler::Independent);
 
 } // namespace calotype

@@ -6,6 +6,7 @@
 #include "path/camera.glsl"
 #include "path/direct_light.glsl"
 #include "scene/film_filter.glsl"
+#include "scene/sampler.glsl"
 
 struct Path {
     SampleId id;
@@ -29,7 +30,7 @@ struct PathLimits {
 };
 
 Path startPath(SampleId id, Camera camera, uvec2 imageSize) {
-    vec4 u = uniformRandom(id, kDimensionCamera);
+    vec4 u = samplerNumbers(id, kDimensionCamera);
     vec2 filmPosition = vec2(id.pixel) + sampleFilm(camera, u.xy);
     Ray ray = cameraRay(camera, filmPosition, imageSize, u.zw);
     return Path(id, ray, ray.origin, vec3(1.0), vec3(0.0), 0u, 0.0, false, kNone, vec3(0.0),
@@ -86,11 +87,11 @@ bool scatter(inout Path path, Interaction surface, PathLimits limits) {
     vec3 origin = offsetFromSurface(surface.position + surface.toSmooth, surface.error, bsdf.ng);
     DirectLight light = DirectLight(path.ray, kNone, vec3(0.0));
     if (hasLights && !isSpecular(bsdf)) {
-        vec4 uLight = uniformRandom(path.id, bounceDimension(path.bounce, kDimensionLight));
+        vec4 uLight = samplerNumbers(path.id, bounceDimension(path.bounce, kDimensionLight));
         light = directLight(bsdf, origin, uLight, limits.lightCount);
     }
     path.arriving = path.throughput * light.radiance;
-    vec3 u = uniformRandom(path.id, bounceDimension(path.bounce, kDimensionBsdf)).xyz;
+    vec3 u = samplerNumbers(path.id, bounceDimension(path.bounce, kDimensionBsdf)).xyz;
     BsdfSample scattered = sampleBsdf(bsdf, u);
     path.throughput *= scattered.weight;
     path.vertex =

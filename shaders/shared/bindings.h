@@ -66,7 +66,11 @@ CALOTYPE_CONSTANT uint kConstantNodeEighths = 29;
 CALOTYPE_CONSTANT uint kConstantPrimitiveEighths = 30;
 CALOTYPE_CONSTANT uint kConstantRayEighths = 31;
 CALOTYPE_CONSTANT uint kConstantEventEighths = 32;
-CALOTYPE_CONSTANT uint kConstantCount = 33;
+
+/// Whether random numbers are Sobol's.
+CALOTYPE_CONSTANT uint kConstantSobol = 33;
+
+CALOTYPE_CONSTANT uint kConstantCount = 34;
 
 CALOTYPE_END_SHARED
 

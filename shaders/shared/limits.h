@@ -9,6 +9,9 @@ CALOTYPE_BEGIN_SHARED
 /// Consecutive absolute sample indices summed in one storage image before the film takes them.
 CALOTYPE_CONSTANT uint kSamplesPerBlock = 16;
 
+/// Independent randomisations that blocks belong to in turn.
+CALOTYPE_CONSTANT uint kReplicas = 8;
+
 /// Pixels on a side of the square tile that one workgroup owns.
 CALOTYPE_CONSTANT uint kTileSize = 16;
 

@@ -39,6 +39,7 @@ TEST_F(ExitCodeTest, WrongUsage) {
         {{"render", scene_, "-o", out, "--crop", "4294967295,0,4,4"}, "--crop"},
         {{"render", scene_, "-o", out, "--exposure", "nan"}, "--exposure"},
         {{"render", scene_, "-o", out, "--tonemap", "rosy"}, "neutral"},
+        {{"render", scene_, "-o", out, "--sampler", "halton"}, "sobol"},
         {{"render", scene_, "-o", out, "--missing-textures", "ignore"}, "fail or warn"},
         {{"render", scene_, "-o", out, "--preview-every", "0"}, "--preview-every"},
         {{"render", scene_, "-o", out, "--preview-every", "-3s"}, "--preview-every"},

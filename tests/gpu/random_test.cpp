@@ -2,6 +2,7 @@
 
 #include "gpu/kernels/random_structs.h"
 #include "kernels/random.spv.h"
+#include "reference/random.h"
 #include "support/chi_square.h"
 #include "support/gpu_test.h"
 #include "support/random_numbers.h"
@@ -110,6 +111,25 @@ TEST_F(Random, NoDimensionIsUsedTwice) {
         seen.insert(r.dimensions.y);
     }
     EXPECT_EQ(seen.size(), 2 * kBounces + 1);
+}
+
+// The device multiplies by Pascal's triangle in five steps; the reference adds direction numbers.
+TEST_F(Random, SobolPointsAreTheReferences) {
+    RandomNumbers random(9);
+    std::vector<glm::uvec4> words;
+    for (int i = 0; i < 4000; ++i) {
+        const uint32_t sample = random.bits() >> random.below(32);
+        words.push_back({random.bits() >> 16, random.bits() >> 16, sample, 4 * random.below(9)});
+    }
+    const auto results = randoms(words);
+    for (size_t i = 0; i < words.size(); ++i) {
+        const glm::uvec4& w = words[i];
+        const reference::SampleId id{{w.x, w.y}, w.z, 7, Sampler::Sobol};
+        const glm::dvec4 expected =
+            w.w == 0 ? reference::cameraNumbers(id)
+                     : reference::bounceNumbers(id, w.w / 4 - 1, reference::BounceDimension::Light);
+        EXPECT_EQ(glm::dvec4(results[i].sobol), expected) << "sample " << w.z;
+    }
 }
 
 } // namespace

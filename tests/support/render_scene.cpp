@@ -13,6 +13,7 @@ RenderedScene renderScene(const Scene& scene, const RenderWish& wish) {
     settings.samplesPerPixel = wish.samplesPerPixel.value_or(scene.render.samplesPerPixel);
     settings.maxBounces = wish.maxBounces.value_or(scene.render.maxBounces);
     settings.seed = wish.seed.value_or(scene.render.seed);
+    settings.sampler = wish.sampler;
 
     DeviceTracer device(scene, settings, wish.features);
     RenderSession session(device.tracer(), settings, device.packed().maxRadiance);

@@ -22,6 +22,7 @@ struct RenderWish {
     std::optional<uint32_t> samplesPerPixel;
     std::optional<uint32_t> maxBounces;
     std::optional<uint32_t> seed;
+    Sampler sampler = Sampler::Independent;
     std::optional<Crop> crop;
     std::optional<SceneFeatures> features; ///< else those that the scene needs
     uint32_t passSamples = 0;

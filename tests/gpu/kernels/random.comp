@@ -1,8 +1,8 @@
 #version 460
-// The random numbers of core/random.glsl, from four words.
+// The random numbers of core/random.glsl and core/sobol.glsl, from four words.
 #extension GL_GOOGLE_include_directive : require
 
-#include "core/random.glsl"
+#include "core/sobol.glsl"
 #include "gpu/kernels/random_structs.h"
 
 layout(local_size_x = 64) in;
@@ -15,7 +15,7 @@ void main() {
         return;
     uvec4 w = words[i];
     SampleId id = SampleId(w.xy, w.z, 7u);
-    randoms[i] = TestRandom(pcg4d(w), unitFloats(w), uniformRandom(id, w.w),
+    randoms[i] = TestRandom(pcg4d(w), unitFloats(w), uniformRandom(id, w.w), sobolRandom(id, w.w),
                             uvec4(bounceDimension(w.x, kDimensionLight),
                                   bounceDimension(w.x, kDimensionBsdf), kDimensionCamera, 0u));
 }

@@ -10,6 +10,7 @@ struct TestRandom {
     uvec4 hash;       ///< pcg4d(w)
     vec4 units;       ///< unitFloats(w)
     vec4 uniforms;    ///< uniformRandom of pixel w.xy, sample w.z, dimension w.w, seed 7
+    vec4 sobol;       ///< sobolRandom of the same
     uvec4 dimensions; ///< of bounce w.x: light, bsdf; then the camera's
 };
 

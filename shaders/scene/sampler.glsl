@@ -1,0 +1,15 @@
+// How a path's random numbers are drawn, as the kernel was specialised.
+#ifndef CALOTYPE_SCENE_SAMPLER_GLSL
+#define CALOTYPE_SCENE_SAMPLER_GLSL
+
+#include "core/sobol.glsl"
+#include "shared/bindings.h"
+
+layout(constant_id = kConstantSobol) const bool usesSobol = false;
+
+/// Four numbers in [0, 1) for one of the path's dimensions.
+vec4 samplerNumbers(SampleId id, uint dimension) {
+    return usesSobol ? sobolRandom(id, dimension) : uniformRandom(id, dimension);
+}
+
+#endif
