@@ -4,120 +4,11 @@
 #include <cmath>
 #include <limits>
 
-#include "base/fork_join.h"
+#include "accel/collapse_choices.h"
 #include "base/parallel_for.h"
 
 namespace calotype {
 namespace {
-
-constexpr uint32_t kMostRoots = Bvh::kSlots - 1;
-
-/// What is best done with the primitives below an inner node of the binary tree.
-struct Choice {
-    bool isLeaf = false; ///< as one child of a wide node: a leaf, not a node
-    /// As 2, 3, ... kSlots children of one wide node: how many of them the left side gets, or 0
-    /// where one child fewer is as good.
-    std::array<uint8_t, kMostRoots> ofLeft{};
-};
-
-/// Choices of the least cost, by dynamic programming from the leaves up.
-class Choices {
-public:
-    Choices(const BinaryTree& tree, std::span<const Primitive> primitives, uint32_t threads)
-        : tree_(tree), primitives_(primitives), threads_(threads),
-          isMixed_(std::ranges::any_of(primitives, [&](const Primitive& primitive) {
-              return primitive.kind != primitives.front().kind;
-          })) {
-        choices_.resize(tree.nodes.size() / 2);
-        if (!tree.nodes.empty())
-            choose(0, 0);
-    }
-
-    /// Whether the node, as one child, is a leaf.
-    bool isLeaf(uint32_t node) const { return tree_.nodes[node].isLeaf() || at(node).isLeaf; }
-
-    /// How many of `roots` >= 2 children the left side of an inner node gets, or 0 where fewer are
-    /// as good.
-    uint32_t rootsOfLeft(uint32_t node, uint32_t roots) const { return at(node).ofLeft[roots - 2]; }
-
-private:
-    /// The least cost of the primitives below a node, if they hang from at most 1, 2, ...
-    /// kMostRoots children of one wide node: C(n, i) of the paper.
-    using Costs = std::array<float, kMostRoots>;
-
-    struct Distribution {
-        float cost = std::numeric_limits<float>::infinity();
-        uint8_t ofLeft = 0;
-    };
-
-    /// Inner nodes have one each: all nodes before this one but the leaves among them.
-    const Choice& at(uint32_t node) const { return choices_[node - tree_.nodes[node].first]; }
-    Choice& at(uint32_t node) { return choices_[node - tree_.nodes[node].first]; }
-
-    /// Few primitives, of one kind.
-    bool canBeLeaf(uint32_t node) const {
-        const BinaryTree::Node& binary = tree_.nodes[node];
-        if (binary.count > Bvh::kMostInLeaf)
-            return false;
-        const auto kindOf = [&](uint32_t i) { return primitives_[tree_.order[i]].kind; };
-        for (uint32_t i = binary.first + 1; isMixed_ && i < binary.first + binary.count; ++i)
-            if (kindOf(i) != kindOf(binary.first))
-                return false;
-        return true;
-    }
-
-    float costOfLeaf(uint32_t node) const {
-        return halfAreaOf(tree_.nodes[node].bounds) * static_cast<float>(tree_.nodes[node].count);
-    }
-
-    /// The best way to give the left side some of `roots` children and the right side the others.
-    static Distribution distribute(const Costs& left, const Costs& right, uint32_t roots) {
-        Distribution best;
-        for (uint8_t ofLeft = 1; ofLeft < roots; ++ofLeft) {
-            const float sum = left[ofLeft - 1] + right[roots - ofLeft - 1];
-            if (sum < best.cost)
-                best = {sum, ofLeft};
-        }
-        return best;
-    }
-
-    Costs choose(uint32_t node, uint32_t depth) {
-        constexpr uint32_t kFewestPrimitives = 8192;
-        const BinaryTree::Node& binary = tree_.nodes[node];
-        Costs costs;
-        if (binary.isLeaf()) {
-            costs.fill(costOfLeaf(node));
-            return costs;
-        }
-        const bool forks = threads_ > 1 && binary.count >= kFewestPrimitives &&
-                           (uint64_t{1} << depth) < uint64_t{8} * threads_;
-        Costs left;
-        Costs right;
-        forkJoin(
-            forks, [&] { left = choose(BinaryTree::leftOf(node), depth + 1); },
-            [&] { right = choose(tree_.rightOf(node), depth + 1); });
-        Choice& choice = at(node);
-        const Distribution asNode = distribute(left, right, Bvh::kSlots);
-        choice.ofLeft.back() = asNode.ofLeft;
-        costs[0] = asNode.cost + kNodeCost * halfAreaOf(binary.bounds);
-        choice.isLeaf = canBeLeaf(node) && costOfLeaf(node) <= costs[0];
-        if (choice.isLeaf)
-            costs[0] = costOfLeaf(node);
-        for (uint32_t roots = 2; roots <= kMostRoots; ++roots) {
-            const Distribution asForest = distribute(left, right, roots);
-            const bool needsAll = asForest.cost < costs[roots - 2];
-            costs[roots - 1] = needsAll ? asForest.cost : costs[roots - 2];
-            choice.ofLeft[roots - 2] = needsAll ? asForest.ofLeft : 0;
-        }
-        return costs;
-    }
-
-    const BinaryTree& tree_;
-    std::span<const Primitive> primitives_;
-    uint32_t threads_;
-    bool isMixed_; ///< primitives are of more than one kind
-    std::vector<Choice> choices_;
-};
 
 constexpr uint32_t kNoChild = ~0u;
 
@@ -275,7 +166,7 @@ private:
     const BinaryTree& tree_;
     std::span<const Primitive> primitives_;
     uint32_t threads_;
-    Choices choices_;
+    CollapseChoices choices_;
     Bvh bvh_;
     uint32_t nextPrimitive_ = 0;
 };

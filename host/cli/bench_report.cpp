@@ -74,7 +74,7 @@ std::string toJsonLine(const BenchReport& report) {
     json["resolution"] = {report.settings.width, report.settings.height};
     json["spp"] = report.settings.samplesPerPixel;
     json["max_bounces"] = report.settings.maxBounces;
-    json["sampler"] = report.settings.sampler == Sampler::Sobol ? "sobol" : "independent";
+    json["sampler"] = nameOf(report.settings.sampler);
     json["repeats"] = report.repeats;
     json["everything_compiled"] = report.compilesEverything;
     json["paths_per_second"] = toJson(report.pathsPerSecond);

@@ -16,9 +16,14 @@ GpuScene build(const Scene& scene, const EngineRequest& request) {
     const uint64_t paths = uint64_t{crop.width} * crop.height * request.settings.samplesPerPixel;
     const Bvh bvh = buildBvh(
         primitives, request.bvh.value_or(quickestBuilder(primitives.size(), paths)), options);
-    return packScene(scene, primitives, bvh, origin,
-                     static_cast<double>(request.settings.width) / request.settings.height,
-                     request.wantsFirstHits ? PackedUvs::All : PackedUvs::OfTextured);
+    const bool all = request.compilesEverything;
+    GpuScene packed =
+        packScene(scene, primitives, bvh, origin,
+                  static_cast<double>(request.settings.width) / request.settings.height,
+                  {.allUvs = all || request.wantsFirstHits, .allNormals = all});
+    if (all)
+        packed.features = SceneFeatures::all();
+    return packed;
 }
 
 /// Throws GpuError where the device has not enough.
@@ -38,9 +43,7 @@ DeviceEngine::DeviceEngine(const DeviceOptions& options, const Scene& scene,
       deviceBytes_(requiredBytes(session_.device(), packed_, request)),
       buffers_(timed(seconds.upload, [&] { return SceneBuffers(session_.device(), packed_); })),
       tracer_(timed(seconds.compile, [&] {
-          return PathTracer(session_.device(), packed_, buffers_,
-                            request.compilesEverything ? SceneFeatures::all() : packed_.features,
-                            settings_);
+          return PathTracer(session_.device(), packed_, buffers_, packed_.features, settings_);
       })) {}
 
 FirstHitImage DeviceEngine::firstHits(const std::function<void(double)>& onProgress) {

@@ -163,6 +163,7 @@ private:
         metadata.version = CALOTYPE_VERSION;
         metadata.sceneHash = sceneHash_;
         metadata.seed = settings_.seed;
+        metadata.sampler = nameOf(settings_.sampler);
         metadata.samplesPerPixel = totals_.samplesPerPixel;
         metadata.seconds = totals_.seconds;
         const Crop& crop = settings_.crop;

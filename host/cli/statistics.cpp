@@ -24,7 +24,7 @@ std::string toJson(const RenderStatistics& statistics) {
     json["spp"] = totals.samplesPerPixel;
     json["max_bounces"] = settings.maxBounces;
     json["seed"] = settings.seed;
-    json["sampler"] = settings.sampler == Sampler::Sobol ? "sobol" : "independent";
+    json["sampler"] = nameOf(settings.sampler);
     json["seconds"] = {{"load", seconds.load},
                        {"build", seconds.build},
                        {"upload", seconds.upload},

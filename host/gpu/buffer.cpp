@@ -21,13 +21,16 @@ std::span<const std::byte> checkRows(const Device& device, std::span<const std::
     return contents;
 }
 
-/// Makes what was copied visible to the kernels of later submissions.
-void showToKernels(const vk::raii::CommandBuffer& commands) {
+/// Makes what was copied visible to the kernels of later submissions, and to the host.
+void showWritten(const vk::raii::CommandBuffer& commands) {
     using Access = vk::AccessFlagBits;
-    const vk::MemoryBarrier barrier(
-        Access::eTransferWrite, Access::eShaderRead | Access::eShaderWrite | Access::eUniformRead);
+    const vk::MemoryBarrier barrier(Access::eTransferWrite,
+                                    Access::eShaderRead | Access::eShaderWrite |
+                                        Access::eUniformRead | Access::eHostRead);
     commands.pipelineBarrier(vk::PipelineStageFlagBits::eTransfer,
-                             vk::PipelineStageFlagBits::eComputeShader, {}, barrier, {}, {});
+                             vk::PipelineStageFlagBits::eComputeShader |
+                                 vk::PipelineStageFlagBits::eHost,
+                             {}, barrier, {}, {});
 }
 
 } // namespace
@@ -48,11 +51,26 @@ Buffer::Buffer(const Device& device, size_t bytes, vk::BufferUsageFlags usage, M
         const bool isCpu = device.info().type == "CPU";
         if (memory == Memory::Host || (isCpu && (device.memoryFlags(type) & mappable) == mappable))
             mapped_ = memory_.mapMemory(0, VK_WHOLE_SIZE);
-        // A CPU's kernels read scenes at random: translating addresses page by page took a seventh
-        // of their time.
+        // A CPU's kernels read scenes at random: translating addresses page by page would take a
+        // seventh of their time.
         if (memory == Memory::Device && mapped_)
             adviseHugePages(mapped_, requirements.size);
     });
+}
+
+void copyByStaging(const Device& device, std::span<const std::byte> contents, const Buffer& buffer,
+                   size_t stagingBytes) {
+    const Buffer staging(device, std::min(contents.size(), stagingBytes),
+                         vk::BufferUsageFlagBits::eTransferSrc, Buffer::Memory::Host, "staging");
+    for (size_t offset = 0; offset < contents.size(); offset += staging.bytes()) {
+        const size_t bytes = std::min(staging.bytes(), contents.size() - offset);
+        std::memcpy(staging.mapped<std::byte>().data(), contents.data() + offset, bytes);
+        device.submitAndWait([&](const vk::raii::CommandBuffer& commands) {
+            commands.copyBuffer(staging.handle(), buffer.handle(),
+                                vk::BufferCopy(0, offset, bytes));
+            showWritten(commands);
+        });
+    }
 }
 
 Buffer uploadBuffer(const Device& device, std::span<const std::byte> contents,
@@ -64,18 +82,7 @@ Buffer uploadBuffer(const Device& device, std::span<const std::byte> contents,
         std::ranges::copy(contents, buffer.mapped<std::byte>().begin());
         return buffer;
     }
-    constexpr size_t kStagingBytes = size_t{64} << 20;
-    const Buffer staging(device, std::min(contents.size(), kStagingBytes), Usage::eTransferSrc,
-                         Buffer::Memory::Host, "staging for " + name);
-    for (size_t offset = 0; offset < contents.size(); offset += staging.bytes()) {
-        const size_t bytes = std::min(staging.bytes(), contents.size() - offset);
-        std::memcpy(staging.mapped<std::byte>().data(), contents.data() + offset, bytes);
-        device.submitAndWait([&](const vk::raii::CommandBuffer& commands) {
-            commands.copyBuffer(staging.handle(), buffer.handle(),
-                                vk::BufferCopy(0, offset, bytes));
-            showToKernels(commands);
-        });
-    }
+    copyByStaging(device, contents, buffer);
     return buffer;
 }
 
@@ -83,11 +90,15 @@ Buffer zeroedBuffer(const Device& device, size_t bytes, const std::string& name)
     Buffer buffer(device, bytes,
                   vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eTransferDst,
                   Buffer::Memory::Device, name);
+    clear(device, buffer);
+    return buffer;
+}
+
+void clear(const Device& device, const Buffer& buffer) {
     device.submitAndWait([&](const vk::raii::CommandBuffer& commands) {
         commands.fillBuffer(buffer.handle(), 0, VK_WHOLE_SIZE, 0);
-        showToKernels(commands);
+        showWritten(commands);
     });
-    return buffer;
 }
 
 TexelBuffer::TexelBuffer(const Device& device, std::span<const std::byte> contents,

@@ -40,8 +40,16 @@ private:
 Buffer uploadBuffer(const Device& device, std::span<const std::byte> contents,
                     vk::BufferUsageFlags usage, const std::string& name);
 
+/// Copies to the start of a buffer that is a transfer's destination, through a mapped one of at
+/// most `stagingBytes`: what uploadBuffer does where the device's memory is not mapped.
+void copyByStaging(const Device& device, std::span<const std::byte> contents, const Buffer& buffer,
+                   size_t stagingBytes = size_t{64} << 20);
+
 /// A storage buffer on the device, all zeros, for kernels alone.
 Buffer zeroedBuffer(const Device& device, size_t bytes, const std::string& name);
+
+/// Makes a zeroedBuffer all zeros again.
+void clear(const Device& device, const Buffer& buffer);
 
 /// Rows of 16 bytes for kernels to fetch. Throws GpuError, naming the limit, where there are more
 /// than the device can address.

@@ -79,6 +79,7 @@ Imf::Header describe(const Image& image, const ExrMetadata& metadata) {
     header.insert("calotype:version", Imf::StringAttribute(metadata.version));
     header.insert("calotype:sceneHash", Imf::StringAttribute(hexadecimal(metadata.sceneHash)));
     header.insert("calotype:seed", Imf::DoubleAttribute(metadata.seed));
+    header.insert("calotype:sampler", Imf::StringAttribute(metadata.sampler));
     header.insert("calotype:spp", Imf::IntAttribute(spp));
     header.insert("calotype:seconds", Imf::DoubleAttribute(metadata.seconds));
     for (const char* name : kChannelNames)

@@ -23,6 +23,7 @@ struct ExrMetadata {
     std::string version;          ///< calotype:version, string
     uint64_t sceneHash = 0;       ///< calotype:sceneHash, string of 16 hexadecimal digits
     uint32_t seed = 0;            ///< calotype:seed, double (EXR's int would lose the upper half)
+    std::string sampler;          ///< calotype:sampler, string
     uint32_t samplesPerPixel = 0; ///< calotype:spp, int
     double seconds = 0.0;         ///< calotype:seconds, double: time of rendering
     std::optional<CropPlacement> crop; ///< none: the picture is the whole film

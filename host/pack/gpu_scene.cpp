@@ -29,9 +29,9 @@ void requireAddressable(size_t count, size_t most, const char* what) {
 class ScenePacker {
 public:
     ScenePacker(const Scene& scene, std::span<const Primitive> primitives, const Bvh& bvh,
-                const glm::dvec3& origin, PackedUvs uvs)
-        : scene_(scene), primitives_(primitives), bvh_(bvh), uvs_(uvs), textures_(scene.textures),
-          lights_(scene, packed_.features) {
+                const glm::dvec3& origin, const CornerData& corners)
+        : scene_(scene), primitives_(primitives), bvh_(bvh), corners_(corners),
+          textures_(scene.textures), lights_(scene, packed_.features) {
         packed_.origin = origin;
         packed_.primitiveCount = primitives.size();
         packed_.materials.resize(scene.materials.size());
@@ -58,7 +58,7 @@ private:
         enable(gpu::kFeatureSmoothNormals, smooth);
         packMaterials();
         const bool textured =
-            uvs_ == PackedUvs::All ||
+            corners_.allUvs ||
             std::any_of(std::begin(kTextureSlots), std::end(kTextureSlots),
                         [&](uint32_t slot) { return packed_.features.enabled[slot]; });
         nameInOrder();
@@ -66,7 +66,7 @@ private:
         enable(gpu::kFeatureTriangles, triangles > 0);
         packed_.quadrics.resize(quadricCount_);
         packed_.triangles.resize(triangles);
-        packed_.triangleNormals.resize(smooth ? triangles : 0);
+        packed_.triangleNormals.resize(smooth || corners_.allNormals ? triangles : 0);
         packed_.triangleUvs.resize(textured ? triangles : 0);
         parallelChunks(names_.size(), allCores(), [&](uint64_t first, uint64_t last) {
             for (uint64_t place = first; place < last; ++place) {
@@ -118,10 +118,11 @@ private:
         return places;
     }
 
-    /// Leaves follow each other as they lie in space, primitives and triangles as they were made:
-    /// half the time went into waiting for memory. (Not inlined, GCC 12 drops it as doing nothing.)
+    /// Leaves follow each other as they lie in space, primitives and triangles as they were made,
+    /// so that packing would wait for memory half of its time. Not inlined, GCC 12 would drop this
+    /// as doing nothing.
     [[gnu::always_inline]] void prefetch(uint64_t place, uint64_t last) const {
-        constexpr uint64_t kAhead = 16;
+        constexpr uint64_t kAhead = 16; // primitives: some microseconds' work; 8 and 32 do as well
         if (place + 2 * kAhead < last)
             __builtin_prefetch(&primitives_[bvh_.order[place + 2 * kAhead]].shape);
         if (place + kAhead >= last)
@@ -272,7 +273,7 @@ private:
     const Scene& scene_;
     std::span<const Primitive> primitives_;
     const Bvh& bvh_;
-    PackedUvs uvs_;
+    CornerData corners_;
     TexturePacker textures_;
     GpuScene packed_;
     LightPacker lights_;
@@ -295,11 +296,11 @@ size_t GpuScene::bytes() const {
 }
 
 GpuScene packScene(const Scene& scene, std::span<const Primitive> primitives, const Bvh& bvh,
-                   const glm::dvec3& origin, double aspectRatio, PackedUvs uvs) {
+                   const glm::dvec3& origin, double aspectRatio, const CornerData& corners) {
     static_assert(gpu::kFeatureDisks - gpu::kFeatureSpheres == gpu::kDisk - gpu::kSphere);
     static_assert(gpu::kFeatureDiskLights - gpu::kFeatureSphereLights == gpu::kDisk - gpu::kSphere);
     CALOTYPE_CHECK_EQ(bvh.order.size(), primitives.size());
-    return ScenePacker(scene, primitives, bvh, origin, uvs).pack(aspectRatio);
+    return ScenePacker(scene, primitives, bvh, origin, corners).pack(aspectRatio);
 }
 
 } // namespace calotype

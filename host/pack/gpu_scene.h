@@ -34,16 +34,15 @@ struct GpuScene {
     size_t bytes() const;
 };
 
-/// Which scenes' triangles are packed with their texture coordinates.
-enum class PackedUvs : uint8_t {
-    OfTextured, ///< those with textures, which look them up
-    All,        ///< for who asks of texture coordinates themselves
+/// What is packed of triangles' corners although the scene does not need it.
+struct CornerData {
+    bool allUvs = false;     ///< texture coordinates without textures
+    bool allNormals = false; ///< normals of flat triangles: zeros
 };
 
 /// Packs a scene with its tree. `aspectRatio` is the picture's width over its height; `primitives`
 /// were collected relative to `origin`.
 GpuScene packScene(const Scene& scene, std::span<const Primitive> primitives, const Bvh& bvh,
-                   const glm::dvec3& origin, double aspectRatio,
-                   PackedUvs uvs = PackedUvs::OfTextured);
+                   const glm::dvec3& origin, double aspectRatio, const CornerData& corners = {});
 
 } // namespace calotype

@@ -17,8 +17,8 @@ namespace calotype {
 class FirstHitPass {
 public:
     /// Compiles the kernel, specialised for `features`. The scene has to be packed with
-    /// PackedUvs::All; its buffers must outlive this. Of the settings only the film's size and the
-    /// crop count.
+    /// CornerData::allUvs; its buffers must outlive this. Of the settings only the film's size and
+    /// the crop count.
     FirstHitPass(const Device& device, const GpuScene& scene, const SceneBuffers& buffers,
                  const SceneFeatures& features, const RenderSettings& settings);
 

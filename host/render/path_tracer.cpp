@@ -1,5 +1,8 @@
 #include "render/path_tracer.h"
 
+#include <algorithm>
+
+#include "base/check.h"
 #include "kernels/path_trace.spv.h"
 #include "render/loop_budget.h"
 #include "render/specialization.h"
@@ -34,8 +37,8 @@ std::vector<Binding> withKernelBindings(std::vector<Binding> bindings, const Buf
 }
 
 size_t parkedBytes(const Device& device, const Crop& crop) {
-    return size_t{countTiles(crop)} * device.info().subgroupSize * gpu::kTasksPerLane *
-           sizeof(gpu::ParkedPath);
+    return size_t{std::min(countTiles(crop), gpu::kMostTilesPerDispatch)} *
+           device.info().subgroupSize * gpu::kTasksPerLane * sizeof(gpu::ParkedPath);
 }
 
 size_t blockBytes(const Crop& crop) { return size_t{crop.width} * crop.height * sizeof(glm::vec4); }
@@ -69,14 +72,19 @@ PathTracer::PathTracer(const Device& device, const GpuScene& scene, const SceneB
 void PathTracer::beginBlock(uint32_t firstSample) {
     parameters_.firstSample = firstSample;
     block_.clear(device_);
+    if (isUnfinished_)
+        clear(device_, parkedPaths_);
+    isUnfinished_ = false;
 }
 
 gpu::RenderCounters PathTracer::renderTiles(TileRange tiles, uint32_t sampleEnd) {
+    CALOTYPE_CHECK_LE(tiles.count, gpu::kMostTilesPerDispatch);
     parameters_.firstTile = tiles.first;
     parameters_.sampleEnd = sampleEnd;
     gpu::RenderCounters& counters = counters_.mapped<gpu::RenderCounters>()[0];
     counters = {};
     pipeline_.run(device_, tiles.count, std::as_bytes(std::span(&parameters_, 1)));
+    isUnfinished_ = counters.unfinishedPixels > 0;
     return counters;
 }
 

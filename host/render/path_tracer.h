@@ -40,6 +40,7 @@ private:
     Buffer camera_;
     Buffer counters_;
     Buffer parkedPaths_;
+    bool isUnfinished_ = false; ///< the last dispatch: there are parked paths
     ComputePipeline pipeline_;
 };
 

@@ -26,7 +26,7 @@ RenderSession::RenderSession(BlockTracer& tracer, const RenderSettings& settings
                              double maxRadiance)
     : tracer_(tracer), settings_(settings),
       film_(settings.crop.width, settings.crop.height, filmUnit(maxRadiance)),
-      sizer_(std::min(tracer.tileCount(), 65535u)) {}
+      sizer_(std::min(tracer.tileCount(), gpu::kMostTilesPerDispatch)) {}
 
 bool RenderSession::run(const RenderObserver& observer, uint32_t passSamples) {
     while (totals_.samplesPerPixel < settings_.samplesPerPixel) {
@@ -56,8 +56,10 @@ bool RenderSession::run(const RenderObserver& observer, uint32_t passSamples) {
 bool RenderSession::renderPass(uint32_t sampleEnd, const RenderObserver& observer) {
     using Clock = std::chrono::steady_clock;
     uint32_t first = 0;
+    uint32_t count = 0; // of the dispatch that is not finished
     while (first < tracer_.tileCount()) {
-        const uint32_t count = std::min(sizer_.tiles(), tracer_.tileCount() - first);
+        if (count == 0)
+            count = std::min(sizer_.tiles(), tracer_.tileCount() - first);
         const Clock::time_point before = Clock::now();
         const gpu::RenderCounters counters = tracer_.renderTiles({first, count}, sampleEnd);
         const Clock::time_point after = Clock::now();
@@ -65,8 +67,10 @@ bool RenderSession::renderPass(uint32_t sampleEnd, const RenderObserver& observe
         sizer_.update(count, seconds);
         add(counters);
         totals_.seconds += seconds;
-        if (counters.unfinishedPixels == 0)
+        if (counters.unfinishedPixels == 0) {
             first += count;
+            count = 0;
+        }
         if (observer.onDispatch)
             observer.onDispatch(totals_);
         if (observer.shouldStop && observer.shouldStop())

@@ -10,4 +10,9 @@ enum class Sampler : uint8_t {
     Sobol,       ///< Owen-scrambled points, in pairs
 };
 
+/// As users spell it.
+inline const char* nameOf(Sampler sampler) {
+    return sampler == Sampler::Sobol ? "sobol" : "independent";
+}
+
 } // namespace calotype

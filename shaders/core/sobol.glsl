@@ -2,9 +2,9 @@
 // sequence, Owen-scrambled, in an order of their own for each use (Burley 2020, "Practical
 // Hash-based Owen Scrambling").
 //
-// Of 2^k samples in a row, from a multiple of 2^k on, each elementary interval of area 2^-k holds
-// exactly one: every strip, every column, every square. Each point alone is uniform, so estimates
-// stay unbiased; points of different uses are independent.
+// Of 2^k samples of a replica in a row, from a multiple of 2^k on, each elementary interval of area
+// 2^-k holds exactly one: every strip, every column, every square. Each point alone is uniform, so
+// estimates stay unbiased; points of different uses, and of different replicas, are independent.
 #ifndef CALOTYPE_CORE_SOBOL_GLSL
 #define CALOTYPE_CORE_SOBOL_GLSL
 

@@ -5,7 +5,7 @@
 //
 // A workgroup is one subgroup. Each lane has two pixels, and takes the next one of the tile when
 // one is done. While the ray of its current pixel's path is on its way through the tree, the other
-// waits: with its own ray, to go next, or at a surface, until enough lanes have one waiting there.
+// waits: with its own ray, to go next, or at a surface, until too few lanes have a ray left.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
 #extension GL_KHR_shader_subgroup_ballot : require
@@ -29,8 +29,6 @@ void main() {
     IterationCount count = IterationCount(0u, parameters.iterationBudget);
     bool isInBudget = true;
     do {
-        if (isThrough(waiting))
-            meetSurface(waiting, limits, totals);
         takeUpWork(work, waiting);
         uint atWork = lanesWhere(current.hasPixel || waiting.hasPixel);
         bool hasRay;
@@ -51,6 +49,8 @@ void main() {
             isInBudget = isInBudget && countIteration(count);
             hasRay = current.hasRay || waiting.hasRay || isUnderWay(traversal);
         } while (areEnough(hasRay, kEventEighths, atWork) && isInBudget);
+        if (isThrough(waiting)) // whatever the budget: a dispatch gets on
+            meetSurface(waiting, limits, totals);
         isInBudget = isInBudget && countIteration(count);
     } while (lanesWhere(current.hasPixel || waiting.hasPixel) > 0u && isInBudget);
     putDown(work, current, waiting, totals);

@@ -4,7 +4,7 @@
 #define CALOTYPE_KERNELS_TILE_WORK_GLSL
 
 #include "film/tiles.glsl"
-#include "path/lane.glsl"
+#include "path/pixel_task.glsl"
 
 layout(push_constant) uniform Parameters { RenderParameters parameters; };
 layout(set = 0, binding = kBindingCamera) uniform CameraBlock { Camera camera; };
@@ -13,7 +13,6 @@ layout(set = 0, binding = kBindingCounters) buffer CountersBlock { RenderCounter
 layout(set = 0, binding = kBindingParkedPaths) buffer ParkedPaths { ParkedPath parkedPaths[]; };
 
 struct TileWork {
-    uint tile;
     uvec2 corner;  ///< its first pixel
     uint nextItem; ///< the first pixel that no lane has taken, in the order of the tile
 };
@@ -55,20 +54,21 @@ void takeUpWork(inout TileWork work, inout PixelTask task) {
     }
 }
 
-uint parkingPlace(TileWork work, uint whichTask) {
-    return (work.tile * kTasksPerLane + whichTask) * gl_SubgroupSize + gl_SubgroupInvocationID;
+uint parkingPlace(uint whichTask) {
+    return (gl_WorkGroupID.x * kTasksPerLane + whichTask) * gl_SubgroupSize +
+           gl_SubgroupInvocationID;
 }
 
 /// Goes on where the last dispatch put the tile down, or begins it anew.
 TileWork resumeTile(uint tile) {
-    TileWork work = TileWork(tile, cornerOfTile(tile, parameters.cropSize), 0u);
-    uint parked = parkedPaths[parkingPlace(work, 0u)].nextItem;
+    TileWork work = TileWork(cornerOfTile(tile, parameters.cropSize), 0u);
+    uint parked = parkedPaths[parkingPlace(0u)].nextItem;
     work.nextItem = parked == 0u ? kTasksPerLane * gl_SubgroupSize : parked;
     return work;
 }
 
 PixelTask resumeTask(TileWork work, uint whichTask) {
-    ParkedPath parked = parkedPaths[parkingPlace(work, whichTask)];
+    ParkedPath parked = parkedPaths[parkingPlace(whichTask)];
     bool isNew = parked.nextItem == 0u;
     PixelTask task;
     task.item = isNew ? whichTask * gl_SubgroupSize + gl_SubgroupInvocationID : parked.item;
@@ -85,11 +85,11 @@ void putTaskDown(TileWork work, uint whichTask, bool isUnfinished, PixelTask tas
     uvec2 pixel = pixelOf(work, task);
     if (task.hasPixel && isInPicture(pixel))
         imageStore(block, ivec2(pixel), task.sum);
-    parkedPaths[parkingPlace(work, whichTask)] = park(task, isUnfinished ? work.nextItem : 0u);
+    parkedPaths[parkingPlace(whichTask)] = park(task, isUnfinished ? work.nextItem : 0u);
 }
 
-/// Stores what the lane has, and adds up what the subgroup did. A ray that has had the whole
-/// dispatch to itself and is not through yet never will be: its path ends.
+/// Stores what the lane has, and adds up what the subgroup did. Where a lane got no ray through in
+/// the whole dispatch, its own never will be, or those beside it: the path ends.
 void putDown(TileWork work, inout PixelTask current, inout PixelTask waiting,
              inout LaneTotals totals) {
     bool isCut = current.hasPath && totals.raysEnded == 0u;

@@ -24,7 +24,7 @@ CALOTYPE_CONSTANT uint kBindingBlock = 11;    ///< storage image
 CALOTYPE_CONSTANT uint kBindingCounters = 12; ///< storage buffer
 /// Storage buffer of one FirstHitRecord per pixel of the dispatch's tiles.
 CALOTYPE_CONSTANT uint kBindingFirstHits = 13;
-/// Storage buffer of one ParkedPath per task of every lane of every tile.
+/// Storage buffer of one ParkedPath per task of every lane of every workgroup of a dispatch.
 CALOTYPE_CONSTANT uint kBindingParkedPaths = 14;
 CALOTYPE_CONSTANT uint kBindingRays = 15;       ///< storage buffer of ListedRay
 CALOTYPE_CONSTANT uint kBindingListedHits = 16; ///< storage buffer of ListedHit

@@ -36,7 +36,7 @@ struct RenderCounters {
     uint pad2;
 };
 
-/// Where a subgroup put a task of a lane down, one record a task, lane and tile.
+/// Where a workgroup put a task of a lane down, for the next dispatch of the same tiles.
 struct ParkedPath {
     vec3 rayOrigin;
     float rayTMax;

@@ -18,10 +18,9 @@ CALOTYPE_CONSTANT uint kQuadricBit = 0x80000000u;
 CALOTYPE_CONSTANT uint kTransparentBit = 0x80000000u;
 
 /// Up to eight children, whose boxes lie on a grid over the node's own: cell boundaries are at
-/// origin + k * size, k from 0 to 255, size a power of two. Children that are nodes follow each
-/// other from `firstNode` on, triangles of leaves from `firstTriangle` on and quadrics from
-/// `firstQuadric` on, each in the order of the children. Of each child and side there is a byte,
-/// the first child's lowest.
+/// origin + k * size, k from 0 to 255, size a power of two. Triangles of leaves follow each other
+/// from `firstTriangle` on and quadrics from `firstQuadric` on, each in the order of the children.
+/// Of each child and side there is a byte, the first child's lowest.
 struct BvhNode {
     vec3 origin;
     uint nodesAndExponents; ///< bytes: exponents of size.xyz as a float's, and a bit for each child

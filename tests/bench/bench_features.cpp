@@ -2,8 +2,10 @@
 // the feature, by one that has it, and the scene with something that uses it. Prints a table of
 // frames a second and ratios, medians of the rounds, the three in turn.
 // usage: bench_features [ROUNDS]
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,10 +43,39 @@ struct Row {
     Scene with;
 };
 
+/// The scene with as little changed as takes the feature from it; nothing where that is the lit
+/// floor.
+std::optional<Scene> without(uint32_t feature, Scene scene) {
+    switch (feature) {
+    case gpu::kFeatureGgx:
+    case gpu::kFeatureMirrors:
+    case gpu::kFeatureBlinnPhong:
+    case gpu::kFeatureDielectrics:
+        for (Material& material : scene.materials)
+            material.type = MaterialType::Diffuse;
+        return scene;
+    case gpu::kFeatureSphereLights:
+    case gpu::kFeatureCylinderLights:
+    case gpu::kFeatureConeLights:
+    case gpu::kFeatureDiskLights:
+        scene.materials.back().emission = glm::dvec3(0.0);
+        return scene;
+    case gpu::kFeatureHiddenLights:
+        for (Material& material : scene.materials)
+            material.visibleToCamera = true;
+        return scene;
+    case gpu::kFeatureOrthographic:
+        scene.camera.projection = Projection::Perspective;
+        return scene;
+    default:
+        return std::nullopt;
+    }
+}
+
 Row rowOf(uint32_t feature, SceneBuilder base, const SceneChange& change) {
-    Scene without = base.scene();
+    const Scene unchanged = base.scene();
     change(base);
-    return {feature, std::move(without), base.scene()};
+    return {feature, without(feature, base.scene()).value_or(unchanged), base.scene()};
 }
 
 /// A row for each feature, the lit floor's own ones beside the lit ball.

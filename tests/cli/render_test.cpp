@@ -36,8 +36,8 @@ TEST_F(RenderTest, WritesEveryFormatAlike) {
     EXPECT_EQ(a.pixels, b.pixels);
     EXPECT_GT(imageMean(a).y, 0.01);
     const std::string header = readText(exr).substr(0, 2000);
-    for (const char* name : {"calotype:sceneHash", "calotype:seed", "calotype:spp",
-                             "calotype:version", "calotype:seconds"})
+    for (const char* name : {"calotype:sceneHash", "calotype:seed", "calotype:sampler",
+                             "calotype:spp", "calotype:version", "calotype:seconds"})
         EXPECT_NE(header.find(name), std::string::npos) << name;
 }
 
@@ -82,13 +82,14 @@ TEST_F(RenderTest, ExposureAndToneMapGoIntoThePngOnly) {
 
 TEST_F(RenderTest, StatsSayWhatWasDone) {
     const std::string stats = folder_ / "stats.json";
-    const ProgramResult result = runProgram(
-        {"render", scene_, "-o", folder_ / "a.png", "--stats", stats, "--crop", "4,2,16,8"});
+    const ProgramResult result = runProgram({"render", scene_, "-o", folder_ / "a.png", "--stats",
+                                             stats, "--crop", "4,2,16,8", "--sampler", "sobol"});
     ASSERT_EQ(result.exitCode, 0) << result.errors;
     const auto json = nlohmann::json::parse(readText(stats));
     EXPECT_EQ(json["resolution"], nlohmann::json({32, 24}));
     EXPECT_EQ(json["crop"], nlohmann::json({4, 2, 16, 8}));
     EXPECT_EQ(json["spp"], 4);
+    EXPECT_EQ(json["sampler"], "sobol");
     EXPECT_EQ(json["paths"], 16 * 8 * 4);
     EXPECT_GE(json["rays"], 16 * 8 * 4);
     EXPECT_EQ(json["non_finite_samples"], 0);
@@ -99,6 +100,20 @@ TEST_F(RenderTest, StatsSayWhatWasDone) {
          {"load", "build", "upload", "compile", "first_sample", "render", "write"})
         EXPECT_GT(json["seconds"][stage].get<double>(), 0.0) << stage;
     EXPECT_GT(json["seconds"]["first_sample"], json["seconds"]["compile"]);
+}
+
+TEST_F(RenderTest, SamplersDrawOtherNumbers) {
+    for (const char* device : {"", "reference"}) {
+        const auto picture = [&](const char* sampler) {
+            const std::string file = folder_ / "sampled.pfm";
+            EXPECT_EQ(
+                runProgram({"render", scene_, "-o", file, "--device", device, "--sampler", sampler})
+                    .exitCode,
+                0);
+            return readText(file);
+        };
+        EXPECT_NE(picture("independent"), picture("sobol")) << "device '" << device << "'";
+    }
 }
 
 // Off a terminal, with the program's pace: a summary and no control characters.

@@ -20,7 +20,7 @@ FirstHitImage deviceFirstHits(const Scene& scene, const RenderSettings& settings
     const auto primitives = collectPrimitives(scene, origin);
     const GpuScene packed =
         packScene(scene, primitives, buildBvh(primitives), origin,
-                  static_cast<double>(settings.width) / settings.height, PackedUvs::All);
+                  static_cast<double>(settings.width) / settings.height, {.allUvs = true});
     const SceneBuffers buffers(testDevice(), packed);
     return FirstHitPass(testDevice(), packed, buffers, packed.features, settings).run();
 }

@@ -71,11 +71,11 @@ TEST_F(SamplerTest, SobolHasTheSameMeanAndLessNoise) {
         const Mean a = meanOf(independent);
         const Mean b = meanOf(sobol);
         EXPECT_GT(a.value, 0.01);
-        // Four standard errors: 1 in 3000 with Student's t of 15 degrees of freedom and more.
-        EXPECT_NEAR(a.value, b.value, 4.0 * std::hypot(a.standardError, b.standardError));
+        // Student's t of 15 degrees of freedom, which Welch's are at least, leaves 5 once in 6000.
+        EXPECT_NEAR(a.value, b.value, 5.0 * std::hypot(a.standardError, b.standardError));
         const double ratio = varianceOf(sobol) / varianceOf(independent);
         RecordProperty(path, std::to_string(ratio));
-        EXPECT_LT(ratio, 0.8);
+        EXPECT_LT(ratio, 0.4); // 0.07, 0.25 and 0.22 were seen
     }
 }
 

@@ -35,7 +35,7 @@ inline FirstHits firstHitsOf(const Scene& scene, const FirstHitWish& wish = {}) 
     FirstHits result;
     result.packed =
         packScene(scene, primitives, bvh, origin,
-                  static_cast<double>(settings.width) / settings.height, PackedUvs::All);
+                  static_cast<double>(settings.width) / settings.height, {.allUvs = true});
     const SceneBuffers buffers(testDevice(), result.packed);
     FirstHitPass pass(testDevice(), result.packed, buffers,
                       wish.features.value_or(result.packed.features), settings);

@@ -103,9 +103,7 @@ ScratchFolder::ScratchFolder() {
     path_ = pattern;
 }
 
-ScratchFolder::~ScratchFolder() {
-    std::filesystem::remove_all(path_);
-}
+ScratchFolder::~ScratchFolder() { std::filesystem::remove_all(path_); }
 
 std::string ScratchFolder::write(const std::string& name, const std::string& text) const {
     std::ofstream(path_ / name, std::ios::binary) << text;

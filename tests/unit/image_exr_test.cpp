@@ -56,6 +56,7 @@ TEST(Exr, HeaderSaysHowThePictureCameAbout) {
     metadata.version = "1.2.3";
     metadata.sceneHash = 0x0123456789abcdef;
     metadata.seed = 4000000000u;
+    metadata.sampler = "sobol";
     metadata.samplesPerPixel = 64;
     metadata.seconds = 1.25;
     const ScratchFolder folder;
@@ -67,6 +68,7 @@ TEST(Exr, HeaderSaysHowThePictureCameAbout) {
     EXPECT_EQ(header.typedAttribute<Text>("calotype:version").value(), "1.2.3");
     EXPECT_EQ(header.typedAttribute<Text>("calotype:sceneHash").value(), "0123456789abcdef");
     EXPECT_EQ(header.typedAttribute<Imf::DoubleAttribute>("calotype:seed").value(), 4e9);
+    EXPECT_EQ(header.typedAttribute<Text>("calotype:sampler").value(), "sobol");
     EXPECT_EQ(header.typedAttribute<Imf::IntAttribute>("calotype:spp").value(), 64);
     EXPECT_EQ(header.typedAttribute<Imf::DoubleAttribute>("calotype:seconds").value(), 1.25);
     EXPECT_EQ(header.compression(), Imf::ZIP_COMPRESSION);

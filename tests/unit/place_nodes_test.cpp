@@ -62,6 +62,8 @@ TEST(PlaceNodes, FollowFromParentAndSlot) {
 }
 
 // Families that did not interlock would leave four of five places empty at a fifth of the slots.
+// A random mask of half the slots is the worst, with 17 % seen; a mesh of 786,000 triangles has 3
+// %.
 TEST(PlaceNodes, LeavesFewPlacesEmpty) {
     RandomNumbers random(82);
     for (const double probability : {0.2, 0.3, 0.5, 0.9}) {

@@ -1,7 +1,7 @@
 // What a lane of a subgroup works at when it renders a tile: a pixel and the path that it follows
 // there, and how they are put down and taken up again.
-#ifndef CALOTYPE_PATH_LANE_GLSL
-#define CALOTYPE_PATH_LANE_GLSL
+#ifndef CALOTYPE_PATH_PIXEL_TASK_GLSL
+#define CALOTYPE_PATH_PIXEL_TASK_GLSL
 
 #include "film/finite.glsl"
 #include "path/path.glsl"
