@@ -26,8 +26,9 @@ public:
     /// Empties the block; its next samples have absolute indices from `firstSample` on.
     virtual void beginBlock(uint32_t firstSample) = 0;
 
-    /// Brings the pixels of at most kMostTilesPerDispatch tiles to `sampleEnd` samples of the block,
-    /// as far as one call may go: call again for the same while `unfinishedPixels` is not zero.
+    /// Brings the pixels of at most kMostTilesPerDispatch tiles to `sampleEnd` samples of the
+    /// block, as far as one call may go: call again for the same while `unfinishedPixels` is not
+    /// zero.
     virtual gpu::RenderCounters renderTiles(TileRange tiles, uint32_t sampleEnd) = 0;
 
     /// The block so far: per pixel, row by row from the top left, the sum of r, g, b, and in w the
