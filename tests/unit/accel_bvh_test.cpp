@@ -273,5 +273,11 @@ INSTANTIATE_TEST_SUITE_P(
         Defect{"WrongDepth", "depth", [](SmallTree& tree) { tree.bvh.depth = 2; }}),
     [](const auto& instance) { return instance.param.name; });
 
+TEST(QuickestBuilder, IsMedianForFewPathsOnly) {
+    EXPECT_EQ(quickestBuilder(786'000, 512 * 512), BvhBuilder::Median);
+    EXPECT_EQ(quickestBuilder(786'000, 512 * 512 * 4), BvhBuilder::Sah);
+    EXPECT_EQ(quickestBuilder(12, 64 * 64), BvhBuilder::Sah);
+}
+
 } // namespace
 } // namespace calotype::test
