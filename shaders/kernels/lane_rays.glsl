@@ -12,7 +12,6 @@
 layout(constant_id = kConstantNodeEighths) const uint kNodeEighths = 5u;
 layout(constant_id = kConstantPrimitiveEighths) const uint kPrimitiveEighths = 3u;
 layout(constant_id = kConstantRayEighths) const uint kRayEighths = 7u;
-layout(constant_id = kConstantEventEighths) const uint kEventEighths = 6u;
 
 /// What the lane's ray has put aside; variables of the whole kernel, as GLSL copies arguments.
 NodeGroup stack[kMaxBvhDepth + 2u];

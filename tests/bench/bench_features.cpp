@@ -1,6 +1,6 @@
 // What each feature of the kernel costs: a scene that does without, rendered by a kernel that lacks
-// the feature, by one that has it, and the scene with something that uses it. Prints a table of
-// frames a second and ratios, medians of the rounds, the three in turn.
+// the feature, by one that has it, and the scene with something that uses it. Prints a table:
+// frames a second of the first, and what the others make of it, medians over rounds of all three.
 // usage: bench_features [ROUNDS]
 #include <algorithm>
 #include <cstdio>
@@ -111,20 +111,17 @@ Frames render(const Scene& scene, const std::optional<SceneFeatures>& features =
 }
 
 void printRow(const Row& row, int rounds) {
-    std::vector<double> out, unused, used;
+    std::vector<double> out, unused, used; // frames a second; then relative to the round's first
     for (int round = 0; round < rounds; ++round) {
         const Frames without = render(row.without);
         SceneFeatures features = without.needed;
         features.enabled[row.feature] = true;
         out.push_back(without.perSecond);
-        unused.push_back(render(row.without, features).perSecond);
-        used.push_back(render(row.with).perSecond);
+        unused.push_back(render(row.without, features).perSecond / without.perSecond);
+        used.push_back(render(row.with).perSecond / without.perSecond);
     }
-    const double base = spreadOf(out).median;
-    std::printf("| %s | %.2f | %.2f (%.2f) | %.2f (%.2f) |\n",
-                std::string(kFeatureNames[row.feature]).c_str(), base, spreadOf(unused).median,
-                spreadOf(unused).median / base, spreadOf(used).median,
-                spreadOf(used).median / base);
+    std::printf("| %s | %.1f | %.2f | %.2f |\n", std::string(kFeatureNames[row.feature]).c_str(),
+                spreadOf(out).median, spreadOf(unused).median, spreadOf(used).median);
     std::fflush(stdout);
 }
 
