@@ -29,6 +29,7 @@ class Geometry {
 public:
     /// Keeps a reference to the scene.
     explicit Geometry(const Scene& scene);
+    explicit Geometry(const Scene&&) = delete;
 
     size_t primitiveCount() const { return names_.size(); }
     PrimitiveName primitive(uint32_t number) const { return names_[number]; }

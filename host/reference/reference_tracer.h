@@ -28,6 +28,7 @@ public:
 
     /// Keeps a reference to the scene. `imageSize` is that of the whole film.
     ReferenceTracer(const Scene& scene, const glm::uvec2& imageSize, uint32_t maxBounces);
+    ReferenceTracer(const Scene&&, const glm::uvec2&, uint32_t) = delete;
 
     /// Largest emitted radiance of any channel, W/(m^2 sr).
     double maxRadiance() const { return lights_.maxRadiance(); }

@@ -18,9 +18,10 @@ namespace {
 constexpr uint32_t kThreads = 2;
 constexpr uint32_t kSeed = 7;
 
-/// A scene for both tracers, as a square picture.
+/// A scene for both tracers, as a square picture. Keeps a reference to the scene.
 class Judged {
 public:
+    Judged(const Scene&&, uint32_t, Sampler = Sampler::Independent) = delete;
     Judged(const Scene& scene, uint32_t side, Sampler sampler = Sampler::Independent)
         : settings_(settingsOf(scene, side, sampler)),
           reference_(scene, {side, side}, settings_.maxBounces),
@@ -116,7 +117,8 @@ using JudgedScenesTest = GpuTest;
 TEST_F(JudgedScenesTest, PathsOfSobolsPointsAreTheSame) {
     constexpr uint32_t kSide = 64;
     for (const char* path : {"scenes/cornell-box.json", "scenes/depth-of-field.json"}) {
-        Judged judged(projectScene(path), kSide, Sampler::Sobol);
+        const Scene scene = projectScene(path);
+        Judged judged(scene, kSide, Sampler::Sobol);
         // As of the judged scenes, none of which but normal-mapped ones differs in more.
         EXPECT_LE(differingShare(judged.device(), judged.reference()), 2e-4) << path;
     }
