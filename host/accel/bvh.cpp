@@ -104,7 +104,9 @@ BvhStatistics bvhStatistics(const Bvh& bvh) {
         for (const Bvh::Slot& slot : node.slots) {
             children += slot.kind != Bvh::SlotKind::Empty ? 1 : 0;
             statistics.leaves += slot.isLeaf() ? 1 : 0;
-            statistics.primitivesVisited += slot.isLeaf() ? slot.count * share(slot.bounds) : 0.0;
+            const double visited = slot.isLeaf() ? slot.count * share(slot.bounds) : 0.0;
+            statistics.primitivesVisited += visited;
+            statistics.quadricsVisited += slot.kind == Bvh::SlotKind::Quadrics ? visited : 0.0;
         }
     }
     statistics.childrenPerNode =

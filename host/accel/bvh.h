@@ -52,6 +52,7 @@ struct BvhStatistics {
     /// (Goldsmith and Salmon 1987).
     double nodesVisited = 0.0;
     double primitivesVisited = 0.0;
+    double quadricsVisited = 0.0; ///< of the primitives
 };
 
 BvhStatistics bvhStatistics(const Bvh& bvh);

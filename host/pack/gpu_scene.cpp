@@ -64,6 +64,7 @@ private:
         nameInOrder();
         const size_t triangles = names_.size() - quadricCount_;
         enable(gpu::kFeatureTriangles, triangles > 0);
+        enable(gpu::kFeatureManyQuadrics, triangles > 0 && quadricCount_ > 0 && hasManyQuadrics());
         packed_.quadrics.resize(quadricCount_);
         packed_.triangles.resize(triangles);
         packed_.triangleNormals.resize(smooth || corners_.allNormals ? triangles : 0);
@@ -78,6 +79,15 @@ private:
             enable(gpu::kFeatureSpheres + quadric.kind, true);
         for (const uint32_t place : placesOfLights())
             addLight(bvh_.order[place], names_[place]);
+    }
+
+    /// Whether quadrics are best tested at once, beside triangles, instead of making rays wait. On
+    /// lavapipe, 786 k triangles with spheres and cylinders that are 6, 18, 33 and 60 % of the
+    /// primitives visited: with waiting 1.03, 1.01, 0.98 and 0.94 times the paths a second.
+    bool hasManyQuadrics() const {
+        constexpr double kMany = 0.25; // of the primitives that a ray visits
+        const BvhStatistics statistics = bvhStatistics(bvh_);
+        return statistics.quadricsVisited > kMany * statistics.primitivesVisited;
     }
 
     /// Of each primitive in the order of the leaves, its name (gpu::kQuadricBit).
@@ -266,9 +276,9 @@ private:
         packed_.features.enabled[feature] = packed_.features.enabled[feature] || needed;
     }
 
-    static constexpr uint32_t kTextureSlots[] = {gpu::kFeatureColorTextures,
-                                                 gpu::kFeatureScalarTextures,
-                                                 gpu::kFeatureNormalMaps, gpu::kFeatureAlpha};
+    static constexpr uint32_t kTextureSlots[] = {
+        gpu::kFeatureColorTextures, gpu::kFeatureRoughnessTextures, gpu::kFeatureSpecularTextures,
+        gpu::kFeatureNormalMaps, gpu::kFeatureAlpha};
 
     const Scene& scene_;
     std::span<const Primitive> primitives_;

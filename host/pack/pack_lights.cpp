@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "pack/alias_table.h"
+#include "pack/pack_material.h"
 #include "scene/scene_bounds.h"
 #include "shared/bindings.h"
 
@@ -38,6 +39,8 @@ bool LightPacker::add(uint32_t materialIndex, uint32_t name, uint32_t number, do
                   (material.visibleToCamera ? 0 : gpu::kLightHiddenFromCamera);
     if (!material.visibleToCamera)
         features_.enabled[gpu::kFeatureHiddenLights] = true;
+    if (isTransparent(material))
+        features_.enabled[gpu::kFeatureLightAlpha] = true;
     const double sides = material.emitsFromFrontOnly ? 1.0 : 2.0;
     lights_.push_back({light, number, luminance(material.emission) * area * sides});
     return true;

@@ -48,9 +48,9 @@ struct PackedSlot {
 };
 constexpr PackedSlot kSlots[] = {
     {&Material::colorTexture, &gpu::Material::colorTexture, gpu::kFeatureColorTextures, false},
-    {&Material::roughnessTexture, &gpu::Material::roughnessTexture, gpu::kFeatureScalarTextures,
+    {&Material::roughnessTexture, &gpu::Material::roughnessTexture, gpu::kFeatureRoughnessTextures,
      true},
-    {&Material::specularTexture, &gpu::Material::specularTexture, gpu::kFeatureScalarTextures,
+    {&Material::specularTexture, &gpu::Material::specularTexture, gpu::kFeatureSpecularTextures,
      true},
     {&Material::normalMap, &gpu::Material::normalMap, gpu::kFeatureNormalMaps, false},
     {&Material::alphaTexture, &gpu::Material::alphaTexture, gpu::kFeatureAlpha, false},

@@ -61,11 +61,18 @@ bool followRays(inout Traversal traversal, Ray ray, uint atWork, inout Iteration
             isInBudget = countIteration(count);
         } while (areEnough(isAmongNodes(traversal), kNodeEighths, atWork) && isInBudget);
         do {
-            testPrimitive(traversal, ray);
+            if (hasFewQuadrics)
+                testTriangle(traversal);
+            else
+                testPrimitive(traversal, ray);
             takePostponed(traversal);
             isInBudget = countIteration(count);
         } while (areEnough(hasPrimitives(traversal.primitives), kPrimitiveEighths, atWork) &&
                  isInBudget);
+        if (hasFewQuadrics) {
+            testQuadric(traversal, ray);
+            takePostponed(traversal);
+        }
         isInBudget = countIteration(count);
     } while (areEnough(isUnderWay(traversal), kRayEighths, atWork) && isInBudget);
     return isInBudget;

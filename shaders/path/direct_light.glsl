@@ -35,7 +35,7 @@ LightSample sampleDirectLight(Light light, vec3 origin, vec2 u) {
     vec3 target = offsetFromSurface(point.position, point.error, facing);
     float distanceToTarget = length(target - origin);
     vec3 radiance = emittedRadiance(light, point.normal, -point.wi);
-    if (hasAlpha)
+    if (hasLightAlpha)
         radiance *= emitterAlpha(light, point.coordinates);
     Ray ray = Ray(origin, distanceToTarget, (target - origin) / distanceToTarget);
     return LightSample(ray, point.wi, radiance, point.pdf);

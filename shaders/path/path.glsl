@@ -58,15 +58,16 @@ vec3 emittedLight(Path path, Interaction surface, Light light) {
            bsdfMisWeight(path, pdf * light.selectionProbability);
 }
 
-/// True where the path goes on as if the surface were not there. A ray that enters and leaves the
-/// same primitive asks twice, so the sides have numbers of their own.
-bool passesThrough(Path path, Interaction surface) {
+/// True where the path goes on as if the surface, which `alpha` of all light meets, were not there.
+/// A ray that enters and leaves the same primitive asks twice, so the sides have numbers of their
+/// own.
+bool passesThrough(Path path, Interaction surface, float alpha) {
     bool passes = path.bounce == 0u && isHiddenFromCamera(surface.light);
     if (hasAlpha && isTransparent(surface.material)) {
         uint fromBehind = dot(path.ray.direction, surface.ng) > 0.0 ? 1u : 0u;
         float u = uniformRandomOf(path.id, bounceDimension(path.bounce, kDimensionAlpha),
                                   2u * surface.id + fromBehind);
-        passes = passes || u >= alphaAt(materialOf(surface), surface.coordinates.uv);
+        passes = passes || u >= alpha;
     }
     return passes;
 }
@@ -80,9 +81,9 @@ bool goOn(inout Path path) {
 }
 
 /// Asks for light at the surface and scatters the path there. False where it ends.
-bool scatter(inout Path path, Interaction surface, PathLimits limits) {
+bool scatter(inout Path path, Interaction surface, Material material, PathLimits limits) {
     vec3 wo = -path.ray.direction;
-    SurfaceParameters parameters = surfaceParameters(materialOf(surface), surface);
+    SurfaceParameters parameters = surfaceParameters(material, surface);
     Bsdf bsdf = makeBsdf(parameters, surface.ng, surface.ns, surface.horizon, wo);
     vec3 origin = offsetFromSurface(surface.position + surface.toSmooth, surface.error, bsdf.ng);
     DirectLight light = DirectLight(path.ray, kNone, vec3(0.0));
@@ -116,19 +117,16 @@ bool reachLight(inout Path path, Hit hit) {
     return goOn(path);
 }
 
-/// The ray to a light goes on behind a surface that lets a share of it through.
-bool passShadow(inout Path path, Hit hit) {
-    Interaction surface = interactionAt(hit, path.ray);
-    path.arriving *= 1.0 - alphaAt(materialOf(surface), surface.coordinates.uv);
+/// The ray to a light goes on behind a surface that keeps `alpha` of its light.
+bool passShadow(inout Path path, Interaction surface, float alpha) {
+    path.arriving *= 1.0 - alpha;
     path.ray = rayBeyond(surface, path.ray);
     return greatest(path.arriving) > 0.0 || goOn(path);
 }
 
 /// Takes in what the path's ray met, if anything, and sets its next ray. False where the path ends.
 bool extendPath(inout Path path, Hit hit, PathLimits limits) {
-    if (hasAlpha && path.isShadowed && hit.isTransparent)
-        return passShadow(path, hit);
-    if (hasLights && path.isShadowed)
+    if (hasLights && path.isShadowed && !(hasAlpha && hit.isTransparent))
         return reachLight(path, hit);
     if (hit.primitive == kNone) {
         if (hasBackground)
@@ -136,7 +134,13 @@ bool extendPath(inout Path path, Hit hit, PathLimits limits) {
         return false;
     }
     Interaction surface = interactionAt(hit, path.ray);
-    if (passesThrough(path, surface)) {
+    Material material = materialOf(surface);
+    float alpha = 1.0;
+    if (hasAlpha && hit.isTransparent)
+        alpha = alphaAt(material, surface.coordinates.uv);
+    if (hasAlpha && path.isShadowed)
+        return passShadow(path, surface, alpha);
+    if (passesThrough(path, surface, alpha)) {
         path.ray.origin = pointBeyond(surface, path.ray.direction);
         return true;
     }
@@ -144,7 +148,7 @@ bool extendPath(inout Path path, Hit hit, PathLimits limits) {
         path.radiance += path.throughput * emittedLight(path, surface, loadLight(surface.light));
     if (path.bounce == limits.maxBounces)
         return false;
-    return scatter(path, surface, limits);
+    return scatter(path, surface, material, limits);
 }
 
 #endif

@@ -19,13 +19,6 @@ float alphaAt(Material material, vec2 uv) {
     return alpha;
 }
 
-/// A number in [0, 1] by its texture.
-float scalarAt(float number, uint textureIndex, vec2 uv) {
-    if (hasScalarTextures && textureIndex != kNone)
-        number *= clamp(sampleTexture(textureIndex, uv, false).r, 0.0, 1.0);
-    return number;
-}
-
 /// Looks up the material's textures, and turns the shading normal as its normal map says.
 SurfaceParameters surfaceParameters(Material material, inout Interaction surface) {
     vec2 uv = hasTextures ? surface.coordinates.uv : vec2(0.0);
@@ -37,9 +30,13 @@ SurfaceParameters surfaceParameters(Material material, inout Interaction surface
         surface.ns = mappedNormal(texel, surface.ns, surface.coordinates.dpdu,
                                   surface.coordinates.dpdv, surface.ng);
     }
-    return SurfaceParameters(material.lobes, color,
-                             scalarAt(material.roughness, material.roughnessTexture, uv),
-                             scalarAt(material.specular, material.specularTexture, uv), material.kd,
+    float roughness = material.roughness;
+    if (hasRoughnessTextures && material.roughnessTexture != kNone)
+        roughness *= clamp(sampleTexture(material.roughnessTexture, uv, false).r, 0.0, 1.0);
+    float specular = material.specular;
+    if (hasSpecularTextures && material.specularTexture != kNone)
+        specular *= clamp(sampleTexture(material.specularTexture, uv, false).r, 0.0, 1.0);
+    return SurfaceParameters(material.lobes, color, roughness, specular, material.kd,
                              material.exponent, material.eta);
 }
 

@@ -19,16 +19,23 @@ struct Hit {
 
 bool isTransparent(uint material) { return (material & kTransparentBit) != 0u; }
 
-/// The ray's crossing with one primitive; t is kFar where there is none.
-Hit intersectPrimitive(uint primitive, Ray ray, ShearedRay sheared) {
-    if (hasQuadrics && (!hasTriangles || (primitive & kQuadricBit) != 0u)) {
-        Quadric quadric = loadQuadric(primitive & ~kQuadricBit);
-        float t = intersectQuadric(quadric, ray.origin, ray.direction);
-        return Hit(t, primitive, isTransparent(quadric.material));
-    }
-    Triangle triangle = loadTriangle(primitive);
-    float t = intersectTriangle(sheared, triangle);
-    return Hit(t, primitive, isTransparent(triangle.material));
+// A ray's crossing with one primitive; t is kFar where there is none.
+
+Hit crossTriangle(uint index, ShearedRay sheared) {
+    Triangle triangle = loadTriangle(index);
+    return Hit(intersectTriangle(sheared, triangle), index, isTransparent(triangle.material));
+}
+
+Hit crossQuadric(uint index, Ray ray) {
+    Quadric quadric = loadQuadric(index);
+    float t = intersectQuadric(quadric, ray.origin, ray.direction);
+    return Hit(t, index | kQuadricBit, isTransparent(quadric.material));
+}
+
+Hit crossPrimitive(uint primitive, Ray ray, ShearedRay sheared) {
+    if (hasQuadrics && (!hasTriangles || (primitive & kQuadricBit) != 0u))
+        return crossQuadric(primitive & ~kQuadricBit, ray);
+    return crossTriangle(primitive, sheared);
 }
 
 /// A ray on its way through the tree, but for what it has put aside on a stack of its own.
@@ -39,6 +46,7 @@ struct Traversal {
     NodeGroup nodes;           ///< to visit next
     PrimitiveGroup primitives; ///< to test next
     PrimitiveGroup postponed;  ///< to test after these, if the ray went on among nodes meanwhile
+    PrimitiveGroup quadrics;   ///< where there are few of them: all that are left to test
     uint skipped;              ///< the primitive that is never hit, or kNone
     bool anyHit;               ///< any opaque hit will do
 };
@@ -46,7 +54,8 @@ struct Traversal {
 Traversal startTraversal(Ray ray, bool anyHit, uint skipped) {
     NodeRay boxRay = nodeRay(ray.origin, ray.direction);
     return Traversal(boxRay, shearedRay(ray.origin, ray.direction), Hit(ray.tMax, kNone, false),
-                     rootGroup(boxRay.octant), kNoPrimitives, kNoPrimitives, skipped, anyHit);
+                     rootGroup(boxRay.octant), kNoPrimitives, kNoPrimitives, kNoPrimitives, skipped,
+                     anyHit);
 }
 
 /// A ray that has nowhere to go.
@@ -56,13 +65,19 @@ Traversal noTraversal() {
     return traversal;
 }
 
+bool waitsWithQuadrics(Traversal traversal) {
+    return hasFewQuadrics && hasPrimitives(traversal.quadrics);
+}
+
 /// Among nodes while no leaf has to be tested first.
 bool isAmongNodes(Traversal traversal) {
-    return hasNodes(traversal.nodes) && !hasPrimitives(traversal.postponed);
+    return hasNodes(traversal.nodes) && !hasPrimitives(traversal.postponed) &&
+           !waitsWithQuadrics(traversal);
 }
 
 bool isUnderWay(Traversal traversal) {
-    return hasNodes(traversal.nodes) || hasPrimitives(traversal.primitives);
+    return hasNodes(traversal.nodes) || hasPrimitives(traversal.primitives) ||
+           waitsWithQuadrics(traversal);
 }
 
 NodeGroup nodesMet(BvhNode node, ChildrenMet met) { return NodeGroup(met.nodes | node.childBase); }
@@ -73,20 +88,42 @@ PrimitiveGroup primitivesMet(BvhNode node, ChildrenMet met) {
 
 /// To be tested next, or after those that are.
 void addPrimitives(inout Traversal traversal, PrimitiveGroup found) {
+    if (hasFewQuadrics) {
+        uint quadrics = quadricsOf(found);
+        traversal.quadrics = only(quadrics, found);
+        found = only(~quadrics, found);
+    }
     bool isBusy = hasPrimitives(traversal.primitives);
     traversal.postponed = pick(isBusy, found, traversal.postponed);
     traversal.primitives = pick(isBusy, traversal.primitives, found);
 }
 
-/// Tests the next primitive, if there is one.
+/// Keeps the nearest hit.
+void takeHit(inout Traversal traversal, bool isActive, Hit hit) {
+    bool isNearest = isActive && hit.t < traversal.hit.t && hit.primitive != traversal.skipped;
+    traversal.hit.t = isNearest ? hit.t : traversal.hit.t;
+    traversal.hit.primitive = isNearest ? hit.primitive : traversal.hit.primitive;
+    traversal.hit.isTransparent = isNearest ? hit.isTransparent : traversal.hit.isTransparent;
+}
+
+// Each tests the next primitive of its kind, if there is one.
+
 void testPrimitive(inout Traversal traversal, Ray ray) {
     bool isActive = hasPrimitives(traversal.primitives);
     uint primitive = takePrimitive(traversal.primitives);
-    Hit crossing = intersectPrimitive(isActive ? primitive : 0u, ray, traversal.sheared);
-    bool isNearest = isActive && crossing.t < traversal.hit.t && primitive != traversal.skipped;
-    traversal.hit.t = isNearest ? crossing.t : traversal.hit.t;
-    traversal.hit.primitive = isNearest ? primitive : traversal.hit.primitive;
-    traversal.hit.isTransparent = isNearest ? crossing.isTransparent : traversal.hit.isTransparent;
+    takeHit(traversal, isActive, crossPrimitive(isActive ? primitive : 0u, ray, traversal.sheared));
+}
+
+void testTriangle(inout Traversal traversal) {
+    bool isActive = hasPrimitives(traversal.primitives);
+    uint index = traversal.primitives.firstTriangle + takeOfOneKind(traversal.primitives);
+    takeHit(traversal, isActive, crossTriangle(isActive ? index : 0u, traversal.sheared));
+}
+
+void testQuadric(inout Traversal traversal, Ray ray) {
+    bool isActive = hasPrimitives(traversal.quadrics);
+    uint index = traversal.quadrics.firstQuadric + takeOfOneKind(traversal.quadrics);
+    takeHit(traversal, isActive, crossQuadric(isActive ? index : 0u, ray));
 }
 
 /// Whether nothing that is left could matter.
@@ -103,6 +140,7 @@ void takePostponed(inout Traversal traversal) {
         traversal.nodes = kNoNodes;
         traversal.primitives.left = 0u;
         traversal.postponed.left = 0u;
+        traversal.quadrics.left = 0u;
     }
 }
 

@@ -145,18 +145,33 @@ PrimitiveGroup pick(bool first, PrimitiveGroup a, PrimitiveGroup b) {
                           first ? a.firstQuadric : b.firstQuadric);
 }
 
-/// Takes one primitive out of a group that has some: its name.
-uint takePrimitive(inout PrimitiveGroup group) {
+/// Bits of the primitives that are quadrics.
+uint quadricsOf(PrimitiveGroup group) { return thrice(group.all >> 24u); }
+
+/// The primitives of these bits alone.
+PrimitiveGroup only(uint bits, PrimitiveGroup group) {
+    return PrimitiveGroup(group.left & bits, group.all & bits, group.firstTriangle,
+                          group.firstQuadric);
+}
+
+/// Takes one primitive out of a group that has some of a single kind: its rank among them.
+uint takeOfOneKind(inout PrimitiveGroup group) {
     uint bit = uint(findLSB(group.left));
     group.left &= group.left - 1u;
-    uint before = group.all & ~(~0u << bit);
+    return uint(bitCount(group.all & ~(~0u << bit)));
+}
+
+/// Takes one primitive out of a group that has some: its name.
+uint takePrimitive(inout PrimitiveGroup group) {
     if (!hasQuadrics)
-        return group.firstTriangle + uint(bitCount(before));
+        return group.firstTriangle + takeOfOneKind(group);
     if (!hasTriangles)
-        return (group.firstQuadric + uint(bitCount(before))) | kQuadricBit;
-    uint quadrics = thrice(group.all >> 24u);
-    bool isQuadric = (quadrics >> bit & 1u) != 0u;
-    uint rank = uint(bitCount(before & (isQuadric ? quadrics : ~quadrics)));
+        return (group.firstQuadric + takeOfOneKind(group)) | kQuadricBit;
+    uint quadrics = quadricsOf(group);
+    bool isQuadric = (quadrics >> uint(findLSB(group.left)) & 1u) != 0u;
+    PrimitiveGroup ofItsKind = only(isQuadric ? quadrics : ~quadrics, group);
+    uint rank = takeOfOneKind(ofItsKind);
+    group.left &= group.left - 1u;
     return isQuadric ? (group.firstQuadric + rank) | kQuadricBit : group.firstTriangle + rank;
 }
 

@@ -36,41 +36,44 @@ CALOTYPE_CONSTANT uint kFeatureSpheres = 2;
 CALOTYPE_CONSTANT uint kFeatureCylinders = 3;
 CALOTYPE_CONSTANT uint kFeatureCones = 4;
 CALOTYPE_CONSTANT uint kFeatureDisks = 5;
-CALOTYPE_CONSTANT uint kFeatureTriangleLights = 6;
-CALOTYPE_CONSTANT uint kFeatureSphereLights = 7;
-CALOTYPE_CONSTANT uint kFeatureCylinderLights = 8;
-CALOTYPE_CONSTANT uint kFeatureConeLights = 9;
-CALOTYPE_CONSTANT uint kFeatureDiskLights = 10;
-CALOTYPE_CONSTANT uint kFeatureHiddenLights = 11;
-CALOTYPE_CONSTANT uint kFeatureBackground = 12;
-CALOTYPE_CONSTANT uint kFeatureDiffuse = 13;
-CALOTYPE_CONSTANT uint kFeatureGgx = 14;
-CALOTYPE_CONSTANT uint kFeatureMirrors = 15; ///< GGX of (almost) no roughness
-CALOTYPE_CONSTANT uint kFeatureBlinnPhong = 16;
-CALOTYPE_CONSTANT uint kFeatureDielectrics = 17;
-CALOTYPE_CONSTANT uint kFeatureColorTextures = 18;
-CALOTYPE_CONSTANT uint kFeatureScalarTextures = 19; ///< of roughness and specular
-CALOTYPE_CONSTANT uint kFeatureNormalMaps = 20;
-CALOTYPE_CONSTANT uint kFeatureAlpha = 21;
-CALOTYPE_CONSTANT uint kFeatureByteTexels = 22;
-CALOTYPE_CONSTANT uint kFeatureFloatTexels = 23;
-CALOTYPE_CONSTANT uint kFeatureCheckers = 24;
-CALOTYPE_CONSTANT uint kFeatureFilter = 25; ///< any but the box
-CALOTYPE_CONSTANT uint kFeatureLens = 26;
-CALOTYPE_CONSTANT uint kFeatureOrthographic = 27;
-CALOTYPE_CONSTANT uint kFeatureCount = 28;
+CALOTYPE_CONSTANT uint kFeatureManyQuadrics = 6; ///< too many for rays to wait with them
+CALOTYPE_CONSTANT uint kFeatureTriangleLights = 7;
+CALOTYPE_CONSTANT uint kFeatureSphereLights = 8;
+CALOTYPE_CONSTANT uint kFeatureCylinderLights = 9;
+CALOTYPE_CONSTANT uint kFeatureConeLights = 10;
+CALOTYPE_CONSTANT uint kFeatureDiskLights = 11;
+CALOTYPE_CONSTANT uint kFeatureHiddenLights = 12;
+CALOTYPE_CONSTANT uint kFeatureLightAlpha = 13; ///< alpha of what shines
+CALOTYPE_CONSTANT uint kFeatureBackground = 14;
+CALOTYPE_CONSTANT uint kFeatureDiffuse = 15;
+CALOTYPE_CONSTANT uint kFeatureGgx = 16;
+CALOTYPE_CONSTANT uint kFeatureMirrors = 17; ///< GGX of (almost) no roughness
+CALOTYPE_CONSTANT uint kFeatureBlinnPhong = 18;
+CALOTYPE_CONSTANT uint kFeatureDielectrics = 19;
+CALOTYPE_CONSTANT uint kFeatureColorTextures = 20;
+CALOTYPE_CONSTANT uint kFeatureRoughnessTextures = 21;
+CALOTYPE_CONSTANT uint kFeatureSpecularTextures = 22;
+CALOTYPE_CONSTANT uint kFeatureNormalMaps = 23;
+CALOTYPE_CONSTANT uint kFeatureAlpha = 24;
+CALOTYPE_CONSTANT uint kFeatureByteTexels = 25;
+CALOTYPE_CONSTANT uint kFeatureFloatTexels = 26;
+CALOTYPE_CONSTANT uint kFeatureCheckers = 27;
+CALOTYPE_CONSTANT uint kFeatureFilter = 28; ///< any but the box
+CALOTYPE_CONSTANT uint kFeatureLens = 29;
+CALOTYPE_CONSTANT uint kFeatureOrthographic = 30;
+CALOTYPE_CONSTANT uint kFeatureCount = 31;
 
 // Specialization constants that suit the kernel to a device.
-CALOTYPE_CONSTANT uint kConstantSubgroupSize = 28; ///< of a workgroup, which is one subgroup
-CALOTYPE_CONSTANT uint kConstantNodeEighths = 29;
-CALOTYPE_CONSTANT uint kConstantPrimitiveEighths = 30;
-CALOTYPE_CONSTANT uint kConstantRayEighths = 31;
-CALOTYPE_CONSTANT uint kConstantEventEighths = 32;
+CALOTYPE_CONSTANT uint kConstantSubgroupSize = 31; ///< of a workgroup, which is one subgroup
+CALOTYPE_CONSTANT uint kConstantNodeEighths = 32;
+CALOTYPE_CONSTANT uint kConstantPrimitiveEighths = 33;
+CALOTYPE_CONSTANT uint kConstantRayEighths = 34;
+CALOTYPE_CONSTANT uint kConstantEventEighths = 35;
 
 /// Whether random numbers are Sobol's.
-CALOTYPE_CONSTANT uint kConstantSobol = 33;
+CALOTYPE_CONSTANT uint kConstantSobol = 36;
 
-CALOTYPE_CONSTANT uint kConstantCount = 34;
+CALOTYPE_CONSTANT uint kConstantCount = 37;
 
 CALOTYPE_END_SHARED
 

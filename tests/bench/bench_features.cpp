@@ -60,6 +60,10 @@ std::optional<Scene> without(uint32_t feature, Scene scene) {
     case gpu::kFeatureDiskLights:
         scene.materials.back().emission = glm::dvec3(0.0);
         return scene;
+    case gpu::kFeatureManyQuadrics: // one small ball instead
+        scene.shapes.resize(scene.shapes.size() - 23);
+        std::get<Sphere>(scene.shapes.back().geometry).radius = 0.1;
+        return scene;
     case gpu::kFeatureHiddenLights:
         for (Material& material : scene.materials)
             material.visibleToCamera = true;

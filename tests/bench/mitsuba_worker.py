@@ -1,50 +1,82 @@
 #!/usr/bin/env python3
-"""Renders the generated bench scene with Mitsuba 3, once for each line on standard input.
+"""Renders a scene of Calotype's with Mitsuba 3, once for each line on standard input.
 
-usage: mitsuba_worker.py VARIANT MESH.obj SPP
+usage: mitsuba_worker.py VARIANT SCENE.json SPP
 
-The scene is that of host/cli/bench_scene.cpp; its mesh comes from bench_mesh. Prints "ready", then
-for each line read the seconds that one picture took. A line that names a file also writes the
-picture there (PFM).
+Knows of Calotype's scenes what `compare` writes: a pinhole camera, diffuse materials on meshes and
+quads, and quads that shine from their front. Prints "ready", then for each line read the seconds
+that one picture took. A line that names a file also writes the picture there (PFM).
 """
+import json
 import sys
 import time
+from pathlib import Path
 
 import mitsuba as mi
 
-variant, mesh, samples = sys.argv[1], sys.argv[2], int(sys.argv[3])
+variant, scene_file, samples = sys.argv[1], Path(sys.argv[2]), int(sys.argv[3])
 mi.set_variant(variant)
 import drjit as dr  # noqa: E402  (of the variant)
 
 Transform = mi.ScalarTransform4f
 
 
+def rgb(value):
+    return {"type": "rgb", "value": value}
+
+
 def diffuse(reflectance):
-    return {"type": "diffuse", "reflectance": {"type": "rgb", "value": reflectance}}
+    return {"type": "twosided", "bsdf": {"type": "diffuse", "reflectance": rgb(reflectance)}}
 
 
-scene = mi.load_dict({
-    "type": "scene",
-    # max_depth counts the edges of a path: three scattering events and the last ray.
-    "integrator": {"type": "path", "max_depth": 4, "rr_depth": 1000},
-    "sensor": {
-        "type": "perspective",
-        "fov": 48.4555,
-        "to_world": Transform().look_at(origin=[0, 0, 3.2], target=[0, 0, 0], up=[0, 1, 0]),
-        "film": {"type": "hdrfilm", "width": 512, "height": 512, "pixel_format": "rgb",
-                 "component_format": "float32", "rfilter": {"type": "box"}},
-        "sampler": {"type": "independent", "sample_count": samples},
-    },
-    "balls": {"type": "obj", "filename": mesh, "face_normals": True,
-              "bsdf": {"type": "twosided", "bsdf": diffuse(0.7)}},
-    "floor": {"type": "rectangle",
-              "to_world": Transform().translate([0, -0.9, 0]).rotate([1, 0, 0], -90).scale(3),
-              "bsdf": {"type": "twosided", "bsdf": diffuse(0.5)}},
-    "lamp": {"type": "rectangle",
-             "to_world": Transform().translate([0, 2.5, 1.0]).rotate([1, 0, 0], 90).scale(0.8),
-             "bsdf": diffuse(0.0),
-             "emitter": {"type": "area", "radiance": {"type": "rgb", "value": 10.0}}},
-})
+def rectangle(vertices):
+    """Mitsuba's is the square [-1, 1]^2, its front where z points."""
+    a, b, c, d = vertices
+    u = [(y - x) / 2 for x, y in zip(a, b)]
+    v = [(y - x) / 2 for x, y in zip(a, d)]
+    n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+    center = [(x + y) / 2 for x, y in zip(a, c)]
+    rows = [list(row) for row in zip(u, v, n, center)]
+    return {"type": "rectangle", "to_world": Transform(rows + [[0, 0, 0, 1]])}
+
+
+def mesh(shape):
+    return {"type": "obj", "filename": str(scene_file.parent / shape["file"]),
+            "face_normals": True,
+            "to_world": Transform().scale(shape.get("transform", {}).get("scale", 1))}
+
+
+def translated(scene):
+    camera, film = scene["camera"], scene["film"]
+    result = {
+        "type": "scene",
+        # max_depth counts the edges of a path: its scattering events and the last ray.
+        "integrator": {"type": "path", "max_depth": scene["render"]["max_bounces"] + 1,
+                       "rr_depth": 1000},
+        "sensor": {
+            "type": "perspective",
+            "fov": camera["fov"],
+            "fov_axis": "y",
+            "to_world": Transform().look_at(origin=camera["position"], target=camera["target"],
+                                            up=[0, 1, 0]),
+            "film": {"type": "hdrfilm", "width": film["width"], "height": film["height"],
+                     "pixel_format": "rgb", "component_format": "float32",
+                     "rfilter": {"type": "box"}},
+            "sampler": {"type": "independent", "sample_count": samples},
+        },
+    }
+    for number, shape in enumerate(scene["shapes"]):
+        translation = mesh(shape) if shape["type"] == "mesh" else rectangle(shape["vertices"])
+        color = scene["materials"][shape["material"]]["color"]
+        result[f"shape{number}"] = {**translation, "bsdf": diffuse(color)}
+    for number, light in enumerate(scene["lights"]):
+        result[f"light{number}"] = {
+            **rectangle(light["vertices"]), "bsdf": diffuse(0.0),
+            "emitter": {"type": "area", "radiance": rgb(light["radiance"])}}
+    return result
+
+
+scene = mi.load_dict(translated(json.loads(scene_file.read_text())))
 
 
 def render(seed):

@@ -47,6 +47,22 @@ TEST_F(InvarianceTest, SpecialisedKernelEqualsEverythingOn) {
     }
 }
 
+// Where quadrics are few, rays wait with them; where they are many, they are met at once.
+TEST_F(InvarianceTest, FewQuadricsAreMetAsManyAre) {
+    Scene scene = everything();
+    scene.materials[0].opacity = 0.6; // of the floor and the cylinder: shadow rays pass both
+    for (Shape& shape : scene.shapes)
+        if (auto* mesh = std::get_if<Mesh>(&shape.geometry))
+            for (glm::dvec3& position : mesh->positions)
+                position *= 3.0;
+    RenderWish wish = small();
+    const RenderedScene few = renderScene(scene, wish);
+    ASSERT_FALSE(few.needed.enabled[gpu::kFeatureManyQuadrics]);
+    wish.features = few.needed;
+    wish.features->enabled[gpu::kFeatureManyQuadrics] = true;
+    expectSamePixels(few.image, renderScene(scene, wish).image);
+}
+
 TEST_F(InvarianceTest, PassesDoNotMatter) {
     RenderWish wish = small();
     const Image whole = renderScene(everything(), wish).image;

@@ -8,6 +8,7 @@ namespace calotype::test {
 namespace {
 
 constexpr uint32_t kFloor = 0; ///< the material of the floor and of what stands on it
+constexpr uint32_t kLamp = 1;
 
 Texture noiseTexture(bool floats, bool transparent = false) {
     auto image = std::make_shared<TexelImage>();
@@ -86,8 +87,16 @@ void addSmoothTriangle(SceneBuilder& builder) {
     builder.add(makeShape(mesh, kFloor));
 }
 
+/// So many and so large that rays are tested against quadrics as often as against triangles.
+void addBalls(SceneBuilder& builder) {
+    for (int i = 0; i < 24; ++i)
+        builder.add(makeShape(
+            Sphere{{glm::dmat3(1.0), {-1.5 + 0.6 * (i % 6), -0.1 + 0.6 * (i / 6), -1.0}}, 0.4},
+            kFloor));
+}
+
 void hideLamp(Scene& scene) {
-    scene.materials[1].visibleToCamera = false;
+    scene.materials[kLamp].visibleToCamera = false;
     scene.camera.position = {0.0, 3.5, 0.1};
     scene.camera.forward = {0.0, -1.0, 0.0};
     scene.camera.up = {0.0, 0.0, -1.0};
@@ -108,12 +117,16 @@ const FeatureCase kCases[] = {
     {gpu::kFeatureCylinders, "Cylinders", shape(kCan)},
     {gpu::kFeatureCones, "Cones", shape(kHat)},
     {gpu::kFeatureDisks, "Disks", shape(kPlate)},
+    {gpu::kFeatureManyQuadrics, "ManyQuadrics", addBalls,
+     [](Scene& scene) { scene.shapes.resize(litFloor().scene().shapes.size()); }},
     {gpu::kFeatureTriangleLights, "TriangleLights", camera([](Scene&) {}), darken},
     {gpu::kFeatureSphereLights, "SphereLights", light(kBall)},
     {gpu::kFeatureCylinderLights, "CylinderLights", light(kCan)},
     {gpu::kFeatureConeLights, "ConeLights", light(kHat)},
     {gpu::kFeatureDiskLights, "DiskLights", light(kPlate), darkenDisk},
     {gpu::kFeatureHiddenLights, "HiddenLights", camera(hideLamp)},
+    {gpu::kFeatureLightAlpha, "LightAlpha",
+     camera([](Scene& scene) { scene.materials[kLamp].opacity = 0.5; })},
     {gpu::kFeatureBackground, "Background", camera([](Scene& scene) {
          scene.background = {0.3, 0.4, 0.5};
      }),
@@ -132,9 +145,9 @@ const FeatureCase kCases[] = {
     {gpu::kFeatureDielectrics, "Dielectrics", ball(ofType(MaterialType::Dielectric))},
     {gpu::kFeatureColorTextures, "ColorTextures",
      floorTexture(&Material::colorTexture, noiseTexture(false))},
-    {gpu::kFeatureScalarTextures, "RoughnessTextures",
+    {gpu::kFeatureRoughnessTextures, "RoughnessTextures",
      floorTexture(&Material::roughnessTexture, noiseTexture(false), MaterialType::Nonmetal)},
-    {gpu::kFeatureScalarTextures, "SpecularTextures",
+    {gpu::kFeatureSpecularTextures, "SpecularTextures",
      floorTexture(&Material::specularTexture, noiseTexture(false), MaterialType::Nonmetal)},
     {gpu::kFeatureNormalMaps, "NormalMaps",
      floorTexture(&Material::normalMap, noiseTexture(false), MaterialType::Metal)},

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <ostream>
 #include <span>
 
 #include "support/scene_builder.h"
@@ -22,6 +23,10 @@ struct FeatureCase {
     /// for something else, and read beyond its buffers.
     std::function<void(Scene&)> removal = {};
 };
+
+inline void PrintTo(const FeatureCase& featureCase, std::ostream* stream) {
+    *stream << featureCase.name;
+}
 
 /// At least one for every feature.
 std::span<const FeatureCase> featureCases();

@@ -210,7 +210,16 @@ TEST(BvhStatistics, CountAHandMadeTree) {
     // Half areas 9 (root), 5 (either half) and 3 (one box).
     EXPECT_DOUBLE_EQ(statistics.nodesVisited, 1.0 + 5.0 / 9.0);
     EXPECT_DOUBLE_EQ(statistics.primitivesVisited, 2.0 * 5.0 / 9.0 + 2.0 * 3.0 / 9.0);
+    EXPECT_EQ(statistics.quadricsVisited, 0.0);
     EXPECT_EQ(bvhStatistics({}).nodes, 0u);
+}
+
+TEST(BvhStatistics, CountQuadricsApart) {
+    Bvh bvh = SmallTree().bvh;
+    bvh.nodes[1].slots[7].kind = Bvh::SlotKind::Quadrics;
+    EXPECT_DOUBLE_EQ(bvhStatistics(bvh).quadricsVisited, 3.0 / 9.0);
+    EXPECT_DOUBLE_EQ(bvhStatistics(bvh).primitivesVisited,
+                     bvhStatistics(SmallTree().bvh).primitivesVisited);
 }
 
 struct Defect {

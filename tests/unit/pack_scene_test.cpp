@@ -75,6 +75,22 @@ TEST(PackScene, EnablesWhatTheSceneHasAndNothingElse) {
               (Features{gpu::kFeatureTriangles, gpu::kFeatureSmoothNormals, kDiffuse}));
 }
 
+// From a quarter of what rays visit on, quadrics are many; where they are alone, it does not
+// matter.
+TEST(PackScene, TellsFewQuadricsFromMany) {
+    const auto areMany = [](std::vector<Shape> shapes) {
+        return packed(std::move(shapes)).features.enabled[gpu::kFeatureManyQuadrics];
+    };
+    // Boxes of 2 x 1 x 0 m about the triangle and a cube about the ball: half areas 2 and 3 d^2.
+    const auto ball = [](double diameter) {
+        return shapeOf(Sphere{{glm::dmat3(1.0), {1.0, 0.5, 0.0}}, 0.5 * diameter});
+    };
+    EXPECT_FALSE(areMany({shapeOf(triangleOf(0)), ball(0.45)}));
+    EXPECT_TRUE(areMany({shapeOf(triangleOf(0)), ball(0.5)}));
+    EXPECT_FALSE(areMany({shapeOf(triangleOf(0))}));
+    EXPECT_FALSE(areMany({ball(0.5)}));
+}
+
 // What only a material asks for that nothing bears is neither compiled in nor uploaded.
 TEST(PackScene, LeavesOutMaterialsThatNothingBears) {
     Scene scene = sceneOf({shapeOf(Sphere{})});

@@ -18,7 +18,7 @@ void main() {
         return;
     TestRay test = rays[i];
     Ray ray = Ray(test.origin, test.tMax, test.direction);
-    Hit hit = intersectPrimitive(test.primitive, ray, shearedRay(ray.origin, ray.direction));
+    Hit hit = crossPrimitive(test.primitive, ray, shearedRay(ray.origin, ray.direction));
     Interaction surface = interactionAt(hit, ray);
     SurfaceCoordinates at = surface.coordinates;
     results[i] = TestCoordinates(surface.position, at.uv.x, at.dpdu, at.uv.y, at.dpdv, hit.t);

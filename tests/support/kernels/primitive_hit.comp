@@ -17,7 +17,7 @@ void main() {
     TestRay test = rays[i];
     Ray ray = Ray(test.origin, test.tMax, test.direction);
     ShearedRay sheared = shearedRay(ray.origin, ray.direction);
-    Hit hit = intersectPrimitive(test.primitive, ray, sheared);
+    Hit hit = crossPrimitive(test.primitive, ray, sheared);
     Interaction surface = interactionAt(hit, ray);
     vec2 barycentrics = vec2(0.0);
     if ((test.primitive & kQuadricBit) == 0u) {
