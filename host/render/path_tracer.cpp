@@ -47,7 +47,7 @@ size_t blockBytes(const Crop& crop) { return size_t{crop.width} * crop.height * 
 
 PathTracer::PathTracer(const Device& device, const GpuScene& scene, const SceneBuffers& buffers,
                        const SceneFeatures& features, const RenderSettings& settings,
-                       const KernelTuning& tuning)
+                       const std::optional<KernelTuning>& tuning)
     : device_(device), tileCount_(countTiles(settings.crop)),
       parameters_(makeParameters(scene, settings, tileCount_, loopBudget(device))),
       block_(device, settings.crop.width, settings.crop.height, "block"),

@@ -20,10 +20,11 @@ namespace calotype {
 /// The path tracing kernel with its storage image, which holds one block of samples.
 class PathTracer : public BlockTracer {
 public:
-    /// Compiles the kernel, specialised for `features`. The scene's buffers must outlive this.
+    /// Compiles the kernel, specialised for `features`, and for the kind of device unless a tuning
+    /// is given. The scene's buffers must outlive this.
     PathTracer(const Device& device, const GpuScene& scene, const SceneBuffers& buffers,
                const SceneFeatures& features, const RenderSettings& settings,
-               const KernelTuning& tuning = {});
+               const std::optional<KernelTuning>& tuning = std::nullopt);
 
     uint32_t tileCount() const override { return tileCount_; }
     void beginBlock(uint32_t firstSample) override;

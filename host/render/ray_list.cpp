@@ -58,7 +58,7 @@ std::vector<gpu::ListedRay> listRays(const Device& device, const GpuScene& scene
          .spirv = kListRaysSpirv,
          .bindings = with(buffers.bindings(), {Binding::uniformBuffer(gpu::kBindingCamera, camera),
                                                Binding::storageBuffer(gpu::kBindingRays, rays)}),
-         .constants = specialization(device, scene.features, {}, settings.sampler),
+         .constants = specialization(device, scene.features, std::nullopt, settings.sampler),
          .pushConstantBytes = sizeof(gpu::RayListParameters)});
     gpu::RayListParameters parameters{};
     parameters.imageSize = {settings.width, settings.height};
@@ -78,7 +78,7 @@ std::vector<gpu::ListedRay> listRays(const Device& device, const GpuScene& scene
 
 RayListTracer::RayListTracer(const Device& device, const GpuScene& scene,
                              const SceneBuffers& buffers, std::span<const gpu::ListedRay> rays,
-                             RayKind kind, const KernelTuning& tuning)
+                             RayKind kind)
     : device_(device), sizer_(mostGroups(device)),
       rays_(uploadBuffer(device, std::as_bytes(rays), vk::BufferUsageFlagBits::eStorageBuffer,
                          "rays")),
@@ -89,7 +89,7 @@ RayListTracer::RayListTracer(const Device& device, const GpuScene& scene,
                          .bindings = with(buffers.bindings(),
                                           {Binding::storageBuffer(gpu::kBindingRays, rays_),
                                            Binding::storageBuffer(gpu::kBindingListedHits, hits_)}),
-                         .constants = specialization(device, scene.features, tuning),
+                         .constants = specialization(device, scene.features),
                          .pushConstantBytes = sizeof(gpu::RayListParameters)}) {
     parameters_.rayCount = static_cast<uint32_t>(rays.size());
     parameters_.groupCount = (parameters_.rayCount + gpu::kRaysPerGroup - 1) / gpu::kRaysPerGroup;

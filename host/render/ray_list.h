@@ -7,7 +7,6 @@
 #include "gpu/compute_pipeline.h"
 #include "pack/gpu_scene.h"
 #include "render/dispatch_sizer.h"
-#include "render/kernel_tuning.h"
 #include "render/render_settings.h"
 #include "render/scene_buffers.h"
 #include "shared/ray_structs.h"
@@ -35,8 +34,7 @@ class RayListTracer {
 public:
     /// `rays` must not be empty; the scene's buffers must outlive this.
     RayListTracer(const Device& device, const GpuScene& scene, const SceneBuffers& buffers,
-                  std::span<const gpu::ListedRay> rays, RayKind kind,
-                  const KernelTuning& tuning = {});
+                  std::span<const gpu::ListedRay> rays, RayKind kind);
 
     /// Traces all rays; returns the seconds it took.
     double trace();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "gpu/device.h"
@@ -10,9 +11,10 @@
 
 namespace calotype {
 
-/// The specialization constants of a kernel, indexed by the identifiers in shared/bindings.h.
+/// The specialization constants of a kernel, indexed by the identifiers in shared/bindings.h. The
+/// tuning is that of the kind of device, unless given.
 std::vector<uint32_t> specialization(const Device& device, const SceneFeatures& features,
-                                     const KernelTuning& tuning = {},
+                                     const std::optional<KernelTuning>& tuning = std::nullopt,
                                      Sampler sampler = Sampler::Independent);
 
 } // namespace calotype

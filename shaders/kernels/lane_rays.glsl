@@ -13,9 +13,30 @@ layout(constant_id = kConstantNodeEighths) const uint kNodeEighths = 5u;
 layout(constant_id = kConstantPrimitiveEighths) const uint kPrimitiveEighths = 3u;
 layout(constant_id = kConstantRayEighths) const uint kRayEighths = 7u;
 
-/// What the lane's ray has put aside; variables of the whole kernel, as GLSL copies arguments.
-NodeGroup stack[kMaxBvhDepth + 2u];
+layout(constant_id = kConstantSharesStack) const bool sharesStack = false;
+layout(local_size_x_id = kConstantSubgroupSize) in;
+
+// What the lane's ray has put aside, in memory of its own or shared by the workgroup. Variables of
+// the whole kernel, as GLSL copies arguments.
+const uint kStackPlaces = kMaxBvhDepth + 2u;
+NodeGroup ownStack[sharesStack ? 1u : kStackPlaces];
+shared NodeGroup sharedStack[sharesStack ? kStackPlaces * gl_WorkGroupSize.x : 1u];
 uint stackSize = 0u;
+
+uint sharedPlace(uint place) { return place * gl_WorkGroupSize.x + gl_LocalInvocationID.x; }
+
+void putAside(uint place, NodeGroup group) {
+    if (sharesStack)
+        sharedStack[sharedPlace(place)] = group;
+    else
+        ownStack[place] = group;
+}
+
+NodeGroup groupAside(uint place) {
+    if (sharesStack)
+        return sharedStack[sharedPlace(place)];
+    return ownStack[place];
+}
 
 /// Passes through any loop of the kernel, which llvmpipe has a limit on.
 struct IterationCount {
@@ -37,13 +58,13 @@ void visitNode(inout Traversal traversal) {
     bool visits = isAmongNodes(traversal);
     NodeGroup rest = traversal.nodes;
     uint index = takeNode(rest, traversal.boxRay.octant);
-    stack[stackSize] = rest; // beyond the top where nothing is left of it
+    putAside(stackSize, rest); // beyond the top where nothing is left of it
     uint size = stackSize + (hasNodes(rest) ? 1u : 0u);
     BvhNode node = loadNode(visits ? index : 0u);
     ChildrenMet met = meetNode(traversal.boxRay, node, traversal.hit.t);
     bool goesBack = met.nodes == 0u && size > 0u;
     size -= goesBack ? 1u : 0u;
-    NodeGroup aside = stack[size];
+    NodeGroup aside = groupAside(size);
     if (visits) {
         stackSize = size;
         traversal.nodes = pick(goesBack, aside, nodesMet(node, met));

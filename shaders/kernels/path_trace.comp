@@ -13,7 +13,6 @@
 #include "kernels/lane_rays.glsl"
 #include "kernels/tile_work.glsl"
 
-layout(local_size_x_id = kConstantSubgroupSize) in;
 layout(constant_id = kConstantEventEighths) const uint kEventEighths = 6u;
 
 /// At the surface that its ray met, or its path over.

@@ -7,7 +7,6 @@
 #include "kernels/lane_rays.glsl"
 #include "shared/ray_structs.h"
 
-layout(local_size_x_id = kConstantSubgroupSize) in;
 layout(push_constant) uniform Parameters { RayListParameters parameters; };
 layout(set = 0, binding = kBindingRays) readonly buffer Rays { ListedRay rays[]; };
 layout(set = 0, binding = kBindingListedHits) writeonly buffer ListedHits { ListedHit hits[]; };

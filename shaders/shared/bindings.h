@@ -69,11 +69,12 @@ CALOTYPE_CONSTANT uint kConstantNodeEighths = 32;
 CALOTYPE_CONSTANT uint kConstantPrimitiveEighths = 33;
 CALOTYPE_CONSTANT uint kConstantRayEighths = 34;
 CALOTYPE_CONSTANT uint kConstantEventEighths = 35;
+CALOTYPE_CONSTANT uint kConstantSharesStack = 36;
 
 /// Whether random numbers are Sobol's.
-CALOTYPE_CONSTANT uint kConstantSobol = 36;
+CALOTYPE_CONSTANT uint kConstantSobol = 37;
 
-CALOTYPE_CONSTANT uint kConstantCount = 37;
+CALOTYPE_CONSTANT uint kConstantCount = 38;
 
 CALOTYPE_END_SHARED
 

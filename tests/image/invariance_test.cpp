@@ -63,6 +63,14 @@ TEST_F(InvarianceTest, FewQuadricsAreMetAsManyAre) {
     expectSamePixels(few.image, renderScene(scene, wish).image);
 }
 
+TEST_F(InvarianceTest, WhereTheStackLiesDoesNotMatter) {
+    RenderWish wish = small();
+    wish.tuning = KernelTuning{.sharesStack = false};
+    const Image own = renderScene(everything(), wish).image;
+    wish.tuning->sharesStack = true;
+    expectSamePixels(own, renderScene(everything(), wish).image);
+}
+
 TEST_F(InvarianceTest, PassesDoNotMatter) {
     RenderWish wish = small();
     const Image whole = renderScene(everything(), wish).image;

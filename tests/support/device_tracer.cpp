@@ -26,8 +26,10 @@ RenderSettings squareSettings(const Scene& scene, uint32_t side, uint32_t seed) 
 }
 
 DeviceTracer::DeviceTracer(const Scene& scene, const RenderSettings& settings,
-                           const std::optional<SceneFeatures>& features)
+                           const std::optional<SceneFeatures>& features,
+                           const std::optional<KernelTuning>& tuning)
     : packed_(pack(scene, settings)), buffers_(testDevice(), packed_),
-      tracer_(testDevice(), packed_, buffers_, features.value_or(packed_.features), settings) {}
+      tracer_(testDevice(), packed_, buffers_, features.value_or(packed_.features), settings,
+              tuning) {}
 
 } // namespace calotype::test

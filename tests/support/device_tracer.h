@@ -15,9 +15,10 @@ RenderSettings squareSettings(const Scene& scene, uint32_t side, uint32_t seed);
 /// A scene packed for the test device, with the kernel that renders it.
 class DeviceTracer {
 public:
-    /// `features` are those that the scene needs, unless given.
+    /// `features` are those that the scene needs, and the tuning that of the device, unless given.
     DeviceTracer(const Scene& scene, const RenderSettings& settings,
-                 const std::optional<SceneFeatures>& features = std::nullopt);
+                 const std::optional<SceneFeatures>& features = std::nullopt,
+                 const std::optional<KernelTuning>& tuning = std::nullopt);
 
     PathTracer& tracer() { return tracer_; }
     const GpuScene& packed() const { return packed_; }

@@ -15,7 +15,7 @@ RenderedScene renderScene(const Scene& scene, const RenderWish& wish) {
     settings.seed = wish.seed.value_or(scene.render.seed);
     settings.sampler = wish.sampler;
 
-    DeviceTracer device(scene, settings, wish.features);
+    DeviceTracer device(scene, settings, wish.features, wish.tuning);
     RenderSession session(device.tracer(), settings, device.packed().maxRadiance);
     session.run(wish.observer, wish.passSamples);
     return {session.picture(), session.totals(), device.packed().features};

@@ -4,6 +4,7 @@
 
 #include "image/image.h"
 #include "pack/scene_features.h"
+#include "render/kernel_tuning.h"
 #include "render/render_session.h"
 #include "scene/scene.h"
 
@@ -25,6 +26,7 @@ struct RenderWish {
     Sampler sampler = Sampler::Independent;
     std::optional<Crop> crop;
     std::optional<SceneFeatures> features; ///< else those that the scene needs
+    std::optional<KernelTuning> tuning;    ///< else the device's
     uint32_t passSamples = 0;
     RenderObserver observer;
 };
