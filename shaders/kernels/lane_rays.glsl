@@ -3,7 +3,7 @@
 // A lane is about one of three things: its ray is among nodes, among primitives, or through. All
 // lanes do the same at a time, so a loop goes on with one thing while enough of the lanes at work
 // are about it, and the others wait (Aila and Laine 2009, "Understanding the Efficiency of Ray
-// Traversal on GPUs").
+// Traversal on GPUs"). Where quadrics are few, they are a fourth, in which no lane is left waiting.
 #ifndef CALOTYPE_KERNELS_LANE_RAYS_GLSL
 #define CALOTYPE_KERNELS_LANE_RAYS_GLSL
 
@@ -91,8 +91,11 @@ bool followRays(inout Traversal traversal, Ray ray, uint atWork, inout Iteration
         } while (areEnough(hasPrimitives(traversal.primitives), kPrimitiveEighths, atWork) &&
                  isInBudget);
         if (hasFewQuadrics) {
-            testQuadric(traversal, ray);
-            takePostponed(traversal);
+            do {
+                testQuadric(traversal, ray);
+                takePostponed(traversal);
+                isInBudget = countIteration(count);
+            } while (lanesWhere(waitsWithQuadrics(traversal)) > 0u && isInBudget);
         }
         isInBudget = countIteration(count);
     } while (areEnough(isUnderWay(traversal), kRayEighths, atWork) && isInBudget);

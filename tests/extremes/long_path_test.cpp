@@ -2,6 +2,8 @@
 #include <cmath>
 #include <iostream>
 
+#include <glm/geometric.hpp>
+
 #include "support/gpu_test.h"
 #include "support/image_means.h"
 #include "support/render_scene.h"
@@ -81,6 +83,34 @@ Shape splinters(uint32_t count) {
     Shape shape;
     shape.geometry = std::move(mesh);
     return shape;
+}
+
+/// Hairs along one diagonal of a cube, by whose box every ray through the cube visits all of them.
+Shape hair() {
+    const glm::dvec3 axis = glm::normalize(glm::dvec3(1.0));
+    const glm::dvec3 side = glm::normalize(glm::cross(axis, {0.0, 0.0, 1.0}));
+    return makeShape(
+        Cylinder{{glm::dmat3(side, axis, glm::cross(side, axis)), {}}, 1e-6, 2.0 * std::sqrt(3.0)},
+        0);
+}
+
+// One pass of a loop for each, and not one of every loop: by the wall's size the hairs are few.
+TEST_F(LongPathTest, RaysVisitAsManyQuadricsAsPassesAreLeft) {
+    SceneBuilder builder;
+    builder.material(0.0, 0.0);
+    builder.rectangle({-2000, -2000, -3}, {4000, 0, 0}, {0, 4000, 0}, builder.material(0.0, 1.0));
+    for (int i = 0; i < 30'000; ++i)
+        builder.add(hair());
+    Scene& scene = builder.scene();
+    scene.film = {8, 8};
+    scene.render = {1, 1, 0};
+    builder.lookAtPlaneZ(1.0);
+    scene.camera.position = {0.6, -0.4, 5.0}; // clear of the diagonal itself
+    const RenderedScene result = renderScene(scene);
+    EXPECT_FALSE(result.needed.enabled[gpu::kFeatureManyQuadrics]);
+    EXPECT_EQ(result.totals.cutPaths, 0u);
+    for (const glm::vec3& pixel : result.image.pixels)
+        EXPECT_EQ(pixel.x, 1.0f);
 }
 
 // Where one ray alone outgrows the loops the driver breaks them off, and a ray that should have met

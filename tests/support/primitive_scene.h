@@ -20,7 +20,7 @@ public:
 
     const GpuScene& packed() const { return scene_; }
 
-    /// intersectPrimitive and interactionAt: each ray meets its own primitive only.
+    /// crossPrimitive and interactionAt: each ray meets its own primitive only.
     std::vector<gpu::TestHit> hits(const std::vector<gpu::TestRay>& rays) const;
 
     struct Traversed {
