@@ -54,15 +54,6 @@ public:
     }
 
 private:
-    /// Forks while there is work for several times the threads, so that uneven halves even out.
-    bool isWorthForking(size_t count, uint32_t depth) const {
-        constexpr size_t kFewestPrimitives =
-            8192; // a millisecond's work, many times a thread's cost
-        constexpr uint32_t kForksPerThread = 8;
-        return count >= kFewestPrimitives && options_.threads > 1 &&
-               (uint64_t{1} << depth) < uint64_t{kForksPerThread} * options_.threads;
-    }
-
     void buildNode(uint32_t index, std::span<BoxReference> references, uint32_t depth,
                    bool reports) {
         BinaryTree::Node& node = tree_.nodes[index];
@@ -77,7 +68,7 @@ private:
             split_(references, depth, std::max(1u, options_.threads >> std::min(depth, 31u))));
         const uint32_t left = BinaryTree::leftOf(index);
         const uint32_t right = index + 2 * leftCount;
-        const bool forks = isWorthForking(references.size(), depth);
+        const bool forks = isWorthForking(references.size(), depth, options_.threads);
         forkJoin(
             forks,
             [&] { buildNode(left, references.first(leftCount), depth + 1, reports && !forks); },

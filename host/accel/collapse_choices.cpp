@@ -47,19 +47,17 @@ CollapseChoices::Distribution CollapseChoices::distribute(const Costs& left, con
 }
 
 CollapseChoices::Costs CollapseChoices::choose(uint32_t node, uint32_t depth) {
-    constexpr uint32_t kFewestPrimitives = 8192;
     const BinaryTree::Node& binary = tree_.nodes[node];
     Costs costs;
     if (binary.isLeaf()) {
         costs.fill(costOfLeaf(node));
         return costs;
     }
-    const bool forks = threads_ > 1 && binary.count >= kFewestPrimitives &&
-                       (uint64_t{1} << depth) < uint64_t{8} * threads_;
     Costs left;
     Costs right;
     forkJoin(
-        forks, [&] { left = choose(BinaryTree::leftOf(node), depth + 1); },
+        isWorthForking(binary.count, depth, threads_),
+        [&] { left = choose(BinaryTree::leftOf(node), depth + 1); },
         [&] { right = choose(tree_.rightOf(node), depth + 1); });
     Choice& choice = at(node);
     const Distribution asNode = distribute(left, right, Bvh::kSlots);

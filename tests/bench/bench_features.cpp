@@ -61,7 +61,7 @@ std::optional<Scene> without(uint32_t feature, Scene scene) {
         scene.materials.back().emission = glm::dvec3(0.0);
         return scene;
     case gpu::kFeatureManyQuadrics: // one small ball instead
-        scene.shapes.resize(scene.shapes.size() - 23);
+        scene.shapes.resize(litFloor().scene().shapes.size() + 1);
         std::get<Sphere>(scene.shapes.back().geometry).radius = 0.1;
         return scene;
     case gpu::kFeatureHiddenLights:
