@@ -42,7 +42,7 @@ RenderTotals renderOnce(DeviceEngine& engine, const RenderSettings& settings) {
     RenderSession session(engine.tracer(), settings, engine.maxRadiance());
     RenderObserver observer;
     observer.shouldStop = isInterrupted;
-    if (!session.run(observer))
+    if (session.run(observer) != RenderEnding::AllSamples)
         throw Interrupted();
     return session.totals();
 }
@@ -89,6 +89,7 @@ BenchReport benchScene(const BenchScene& benchScene, const BenchOptions& options
     settings = {scene.film.width,
                 scene.film.height,
                 {0, 0, scene.film.width, scene.film.height},
+                0,
                 1,
                 scene.render.maxBounces,
                 scene.render.seed,

@@ -29,13 +29,34 @@ void checkOutputs(const RenderOptions& options) {
                              std::string(kImageExtensions));
         claim(path);
     };
+    const FilmOptions& film = options.film;
+    const bool keepsFilm = !film.film.empty() || !film.resume.empty();
+    if (options.outputs.empty() && !keepsFilm)
+        throw UsageError(
+            "there is nothing to write; name a picture with -o, or a film with --film");
     for (const std::string& path : options.outputs)
         claimPicture(path);
-    if (!options.layers.empty() && std::ranges::none_of(options.outputs, isExr))
+    const bool wantsLayers = options.layers.errors || !options.layers.firstHits.empty();
+    if (wantsLayers && std::ranges::none_of(options.outputs, isExr))
         throw UsageError("--aov writes layers of EXR files, and no output is one; add -o FILE.exr");
+    if (film.checkpointSeconds && !keepsFilm)
+        throw UsageError("--checkpoint is how often a film is kept, and none is; add --film FILE");
+    const auto claimFilm = [&](const std::string& path) {
+        if (imageFormatOf(path))
+            throw UsageError("the film '" + path +
+                             "' has the extension of a picture; name it otherwise, such as x.film");
+        claim(path);
+    };
+    if (keepsFilm)
+        claimFilm(film.film.empty() ? film.resume : film.film);
     if (!options.statsFile.empty())
         claim(options.statsFile);
-    if (!options.previewFile.empty() && options.previewFile != options.outputs.front())
+    const PreviewInterval& preview = options.previewInterval;
+    if (options.outputs.empty() && options.previewFile.empty() &&
+        (preview.samples > 0 || preview.seconds > 0.0))
+        throw UsageError("--preview-every has no picture to write; name one with --preview-file");
+    if (!options.previewFile.empty() &&
+        (options.outputs.empty() || options.previewFile != options.outputs.front()))
         claimPicture(options.previewFile);
 }
 

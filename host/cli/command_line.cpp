@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "base/error.h"
+#include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/parse_values.h"
@@ -41,110 +42,6 @@ int withExitCode(const std::function<int()>& action) {
     }
 }
 
-/// An option whose text a function of parse_values.h turns into `target`.
-template <typename Target, typename Parse>
-CLI::Option* addParsed(CLI::App& command, const std::string& name, Target& target, Parse parse,
-                       const std::string& description, const std::string& type) {
-    return command
-        .add_option_function<std::string>(
-            name, [&target, parse](const std::string& text) { target = parse(text); }, description)
-        ->type_name(type);
-}
-
-void addOverrides(CLI::App& command, std::vector<SceneOverride>& overrides) {
-    command
-        .add_option_function<std::vector<std::string>>(
-            "--set",
-            [&overrides](const std::vector<std::string>& texts) {
-                for (const std::string& text : texts)
-                    overrides.push_back(parseOverride(text));
-            },
-            "Change a value of the scene, e.g. /render/max_bounces=8; may be repeated")
-        ->type_name("/POINTER=VALUE")
-        ->expected(1)
-        ->take_all();
-}
-
-void addSceneOptions(CLI::App& command, SceneOptions& scene) {
-    command.add_option("scene", scene.path, "Scene file (JSON), or a model (OBJ) to show")
-        ->required()
-        ->type_name("SCENE");
-    addOverrides(command, scene.overrides);
-    addParsed(command, "--missing-textures", scene.missingTextures, parseMissingTextures,
-              "Where an image file is missing: fail, or warn and show magenta", "fail|warn");
-}
-
-void addDeviceOptions(CLI::App& command, DeviceOptions& device, const std::string& others = "") {
-    command
-        .add_option("--device", device.device,
-                    "Device by index or part of its name (else CALOTYPE_DEVICE, else the best)" +
-                        others)
-        ->type_name("INDEX|NAME");
-    command.add_option("--threads", device.threads, "Threads on the CPU (default: all cores)")
-        ->check(CLI::Range(1, 1024))
-        ->type_name("N");
-}
-
-void addBvhOption(CLI::App& command, std::optional<BvhBuilder>& bvh) {
-    addParsed(
-        command, "--bvh", bvh, parseBvh,
-        "How the BVH is built: median (soon done), sah (soon traversed), or auto, the quickest "
-        "for the samples asked for (default)",
-        "auto|median|sah");
-}
-
-void addSamplerOption(CLI::App& command, Sampler& sampler) {
-    addParsed(command, "--sampler", sampler, parseSampler,
-              "How random numbers are drawn: each for itself (independent, the default), or in "
-              "pairs that fill the square evenly (sobol)",
-              "independent|sobol");
-}
-
-CLI::App& addRenderCommand(CLI::App& app, RenderOptions& options) {
-    CLI::App& command = *app.add_subcommand("render", "Render a scene to pictures");
-    addSceneOptions(command, options.scene);
-    command
-        .add_option("-o,--output", options.outputs,
-                    "Picture to write: .png (display), .exr or .pfm (linear); may be repeated")
-        ->required()
-        ->type_name("FILE")
-        ->expected(1)
-        ->take_all();
-    command.add_option("--spp", options.samplesPerPixel, "Samples per pixel")
-        ->check(CLI::Range(1u, RenderDefaults::kMostSamplesPerPixel))
-        ->type_name("N");
-    addParsed(command, "--size", options.size, parseSize, "Size of the picture", "WxH");
-    addParsed(command, "--crop", options.crop, parseCrop, "Render only this part", "X,Y,W,H");
-    command.add_option("--seed", options.seed, "Seed of the random numbers")->type_name("N");
-    command
-        .add_option("--max-bounces", options.maxBounces,
-                    "Scattering events along a path, at most; 0 shows emitters only")
-        ->check(CLI::Range(0u, RenderDefaults::kMostBounces))
-        ->type_name("N");
-    addParsed(command, "--exposure", options.display.exposureStops, parseExposure,
-              "Brighten PNGs by this many stops (factors of two)", "STOPS");
-    addParsed(command, "--tonemap", options.display.toneMap, parseToneMap,
-              "How PNGs treat bright light: " + std::string(kToneMapNames), "NAME");
-    addParsed(
-        command, "--aov", options.layers, parseLayers,
-        "Layers of the first hits, for .exr outputs: albedo,normal,depth,position,primitive,uv",
-        "LIST");
-    addParsed(command, "--preview-every", options.previewInterval, parsePreviewInterval,
-              "Write the picture so far every N samples, or every so many seconds", "N|10s");
-    command
-        .add_option("--preview-file", options.previewFile,
-                    "Where previews go (default: the first output)")
-        ->type_name("FILE");
-    addSamplerOption(command, options.sampler);
-    addBvhOption(command, options.bvh);
-    command.add_option("--stats", options.statsFile, "Write statistics as JSON")->type_name("FILE");
-    command.add_flag("-q,--quiet", options.quiet, "No progress, only warnings and errors")
-        ->multi_option_policy(CLI::MultiOptionPolicy::Throw);
-    addDeviceOptions(command, options.device,
-                     "; \"reference\": the reference tracer, in double precision on the CPU");
-    return command;
-}
-
 CLI::App& addCompareCommand(CLI::App& app, CompareOptions& options) {
     CLI::App& command =
         *app.add_subcommand("compare", "Say how far picture A is from picture B, the reference");
@@ -166,6 +63,33 @@ CLI::App& addCompareCommand(CLI::App& app, CompareOptions& options) {
         "yellow "
         "1 and more;\ncyan where A or B is infinite. Such pixels are counted and left out of all "
         "else.");
+    return command;
+}
+
+CLI::App& addMergeCommand(CLI::App& app, MergeOptions& options) {
+    CLI::App& command = *app.add_subcommand(
+        "merge", "Join films of one scene, or make pictures of one or more of them");
+    command.add_option("films", options.films, "Films, none of which share samples")
+        ->required()
+        ->type_name("FILM");
+    command
+        .add_option("-o,--output", options.outputs,
+                    "Film to write, or picture (.png, .exr or .pfm); may be repeated")
+        ->required()
+        ->type_name("FILE")
+        ->expected(1)
+        ->take_all();
+    addDisplayOptions(command, options.display);
+    return command;
+}
+
+CLI::App& addInfoCommand(CLI::App& app, InfoOptions& options) {
+    CLI::App& command = *app.add_subcommand(
+        "info", "Print what a scene holds and what it takes on the device, or what a film holds");
+    addSceneOptions(command, options.scene);
+    command.add_flag("--json", options.asJson, "Of a film: as JSON");
+    addBvhOption(command, options.bvh);
+    addDeviceOptions(command, options.device);
     return command;
 }
 
@@ -209,15 +133,13 @@ int parseAndRun(int argc, char** argv) {
     app.require_subcommand(0, 1); // none is reported below, after any unknown word
     RenderOptions renderOptions;
     InfoOptions infoOptions;
+    MergeOptions mergeOptions;
     CompareOptions compareOptions;
     BenchOptions benchOptions;
     DeviceOptions devicesOptions;
     CLI::App& render = addRenderCommand(app, renderOptions);
-    CLI::App& info =
-        *app.add_subcommand("info", "Print what a scene holds and what it takes on the device");
-    addSceneOptions(info, infoOptions.scene);
-    addBvhOption(info, infoOptions.bvh);
-    addDeviceOptions(info, infoOptions.device);
+    CLI::App& info = addInfoCommand(app, infoOptions);
+    CLI::App& merge = addMergeCommand(app, mergeOptions);
     CLI::App& compare = addCompareCommand(app, compareOptions);
     CLI::App& bench = addBenchCommand(app, benchOptions);
     CLI::App& devices = *app.add_subcommand("devices", "List devices and say which one is taken");
@@ -231,10 +153,12 @@ int parseAndRun(int argc, char** argv) {
     }
     if (app.get_subcommands().empty())
         throw UsageError(
-            "a command is required: render, info, compare, bench or devices (see calotype --help)");
+            "a command is required: render, info, merge, compare, bench or devices (see calotype "
+            "--help)");
     if (render.parsed())
         return renderCommand(renderOptions);
     const int code = info.parsed()      ? infoCommand(infoOptions)
+                     : merge.parsed()   ? mergeCommand(mergeOptions)
                      : compare.parsed() ? compareCommand(compareOptions)
                      : bench.parsed()   ? benchCommand(benchOptions)
                                         : devicesCommand(devicesOptions);

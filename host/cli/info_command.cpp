@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "cli/device_session.h"
 #include "cli/exit_code.h"
+#include "film/film_file.h"
 #include "pack/gpu_scene.h"
 #include "render/path_tracer.h"
 #include "scene/load.h"
@@ -73,6 +74,10 @@ void printFeatures(const SceneFeatures& features) {
 } // namespace
 
 int infoCommand(const InfoOptions& options) {
+    if (isFilm(options.scene.path))
+        return filmInfoCommand(options);
+    if (options.asJson)
+        throw UsageError("--json is for films, and '" + options.scene.path + "' is none");
     LoadOptions loadOptions;
     loadOptions.overrides = options.scene.overrides;
     loadOptions.missingTextures = options.scene.missingTextures;

@@ -30,19 +30,44 @@ struct SceneOptions {
     MissingTextures missingTextures = MissingTextures::Fail;
 };
 
+/// Samples of absolute indices from `begin` up to but not including `end`: whole blocks.
+struct SampleRange {
+    uint32_t begin = 0;
+    uint32_t end = 0;
+};
+
+/// Films to keep and go on with; empty paths are none.
+struct FilmOptions {
+    std::string film;
+    std::string resume;
+    std::optional<double> checkpointSeconds; ///< none: the default
+
+    static constexpr double kCheckpointSeconds = 60.0;
+};
+
+/// Layers of the EXR outputs, beside the picture.
+struct LayerOptions {
+    std::vector<FirstHitLayer> firstHits;
+    bool errors = false;
+};
+
 struct RenderOptions {
     SceneOptions scene;
     DeviceOptions device;
     std::optional<BvhBuilder> bvh; ///< none: the quickest
     std::vector<std::string> outputs;
+    FilmOptions film;
     std::optional<uint32_t> samplesPerPixel;
+    std::optional<SampleRange> samples;
+    std::optional<double> targetError; ///< ErrorEstimate::relative
+    std::optional<double> seconds;     ///< from the start of the program
     std::optional<uint32_t> maxBounces;
     std::optional<uint32_t> seed;
     Sampler sampler = Sampler::Independent;
     std::optional<PictureSize> size;
     std::optional<Crop> crop;
     DisplayTransform display;
-    std::vector<FirstHitLayer> layers; ///< of the EXR outputs, beside the picture
+    LayerOptions layers;
     PreviewInterval previewInterval;
     std::string previewFile; ///< empty: the first output
     std::string statsFile;   ///< empty: none
@@ -50,7 +75,8 @@ struct RenderOptions {
 };
 
 struct InfoOptions {
-    SceneOptions scene;
+    SceneOptions scene; ///< or a film
+    bool asJson = false;
     DeviceOptions device;
     std::optional<BvhBuilder> bvh;
 };
@@ -61,6 +87,13 @@ struct CompareOptions {
     std::string b;
     std::string differenceFile; ///< empty: none
     std::optional<double> maxRelativeMse;
+};
+
+/// Films to join.
+struct MergeOptions {
+    std::vector<std::string> films;
+    std::vector<std::string> outputs; ///< films, or pictures by their extensions
+    DisplayTransform display;
 };
 
 struct BenchOptions {

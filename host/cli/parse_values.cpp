@@ -4,12 +4,16 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
 #include "image/image.h"
 #include "scene/names.h"
+#include "scene/scene.h"
+#include "shared/limits.h"
 
 namespace calotype {
 namespace {
@@ -44,9 +48,11 @@ std::optional<std::vector<uint32_t>> parseList(std::string_view text, char separ
 
 FirstHitLayer parseLayer(std::string_view name) {
     const auto found = std::ranges::find(kFirstHitLayerNames, name);
-    if (found == kFirstHitLayerNames.end())
-        throw UsageError("--aov has no layer " + inQuotes(name) +
-                         suggestion(name, kFirstHitLayerNames));
+    if (found == kFirstHitLayerNames.end()) {
+        std::vector<std::string> names(kFirstHitLayerNames.begin(), kFirstHitLayerNames.end());
+        names.push_back(kErrorLayerName);
+        throw UsageError("--aov has no layer " + inQuotes(name) + suggestion(name, names));
+    }
     return static_cast<FirstHitLayer>(found - kFirstHitLayerNames.begin());
 }
 
@@ -126,19 +132,61 @@ float parseExposure(const std::string& text) {
     return *stops;
 }
 
-std::vector<FirstHitLayer> parseLayers(const std::string& text) {
-    std::vector<FirstHitLayer> layers;
+LayerOptions parseLayers(const std::string& text) {
+    LayerOptions layers;
+    std::set<std::string_view> names;
     for (std::string_view rest = text;;) {
         const size_t end = rest.find(',');
-        const FirstHitLayer layer = parseLayer(rest.substr(0, end));
-        if (std::ranges::count(layers, layer) > 0)
-            throw UsageError("--aov '" + text + "' names " + inQuotes(rest.substr(0, end)) +
-                             " twice");
-        layers.push_back(layer);
+        const std::string_view name = rest.substr(0, end);
+        if (!names.insert(name).second)
+            throw UsageError("--aov '" + text + "' names " + inQuotes(name) + " twice");
+        if (name == kErrorLayerName)
+            layers.errors = true;
+        else
+            layers.firstHits.push_back(parseLayer(name));
         if (end == std::string_view::npos)
             return layers;
         rest.remove_prefix(end + 1);
     }
+}
+
+SampleRange parseSamples(const std::string& text) {
+    static_assert(gpu::kSamplesPerBlock == 16 && RenderDefaults::kMostSamplesPerPixel == 67'108'864,
+                  "as the message says");
+    const auto numbers = parseList(text, ':', 2);
+    const auto isBorder = [](uint32_t n) {
+        return n % gpu::kSamplesPerBlock == 0 && n <= RenderDefaults::kMostSamplesPerPixel;
+    };
+    if (!numbers || !isBorder((*numbers)[0]) || !isBorder((*numbers)[1]) ||
+        (*numbers)[0] >= (*numbers)[1])
+        fail("--samples", text,
+             "FIRST:END with FIRST below END, both multiples of 16 up to 67108864, such as 64:128");
+    return {(*numbers)[0], (*numbers)[1]};
+}
+
+double parseTargetError(const std::string& text) {
+    const auto error = parseNumber<double>(text);
+    if (!error || !(*error > 0.0) || !(*error < 1.0))
+        fail("--target-error", text, "a relative error between 0 and 1, such as 0.02 for 2 %");
+    return *error;
+}
+
+double parseDuration(const std::string& option, const std::string& text) {
+    constexpr std::pair<char, double> kUnits[] = {{'s', 1.0}, {'m', 60.0}, {'h', 3600.0}};
+    std::string_view number = text;
+    double unit = 1.0;
+    for (const auto& [letter, seconds] : kUnits)
+        if (number.ends_with(letter)) {
+            number.remove_suffix(1);
+            unit = seconds;
+            break;
+        }
+    const auto value = parseNumber<double>(number);
+    const double seconds = value.value_or(0.0) * unit;
+    constexpr double kLongest = 1e9; // thirty years
+    if (!(seconds > 0.0) || !(seconds <= kLongest))
+        fail(option, text, "a time above 0, such as 30s, 5m or 2h");
+    return seconds;
 }
 
 double parseMaxRelativeMse(const std::string& text) {

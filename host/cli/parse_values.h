@@ -21,7 +21,10 @@ std::optional<BvhBuilder> parseBvh(const std::string& text);   ///< --bvh
 Sampler parseSampler(const std::string& text);                 ///< --sampler
 double parseMaxRelativeMse(const std::string& text);           ///< --max-relmse "1e-3"
 
-/// --aov "albedo,normal"
-std::vector<FirstHitLayer> parseLayers(const std::string& text);
+LayerOptions parseLayers(const std::string& text); ///< --aov "albedo,normal,error"
+SampleRange parseSamples(const std::string& text); ///< --samples "0:64"
+double parseTargetError(const std::string& text);  ///< --target-error "0.02"
+/// "30s", "1.5m", "2h", or a number of seconds; above 0. `option` is named in the message.
+double parseDuration(const std::string& option, const std::string& text);
 
 } // namespace calotype

@@ -38,6 +38,14 @@ std::string withPrefix(double number) {
            prefixes[prefix];
 }
 
+std::string percentText(double share) {
+    const double percent = 100.0 * share;
+    return formatted(percent < 9.995   ? "%.2f %%"
+                     : percent < 99.95 ? "%.1f %%"
+                                       : "%.0f %%",
+                     percent);
+}
+
 std::string durationText(double seconds) {
     if (seconds < 9.95)
         return formatted("%.1f s", seconds);
@@ -53,9 +61,8 @@ std::string durationText(double seconds) {
     return text;
 }
 
-Progress::Progress(bool quiet, uint64_t totalPaths, uint32_t samplesPerPixel)
-    : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0), totalPaths_(totalPaths),
-      samplesPerPixel_(samplesPerPixel) {}
+Progress::Progress(bool quiet, const RenderPlan& plan)
+    : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0), plan_(plan) {}
 
 Progress::~Progress() { clear(); }
 
@@ -82,17 +89,44 @@ void Progress::step(const std::string& what, double done) {
         show(done, what);
 }
 
+double Progress::shareDone(const RenderTotals& totals, double elapsed) const {
+    double done = 0.0;
+    const auto paths = static_cast<double>(totals.paths);
+    if (plan_.samplesPerPixel && *plan_.samplesPerPixel > plan_.samplesBefore)
+        done = paths /
+               static_cast<double>(plan_.pixels * (*plan_.samplesPerPixel - plan_.samplesBefore));
+    if (plan_.seconds)
+        done = std::max(done, elapsed / *plan_.seconds);
+    if (plan_.targetError && totals.error) {
+        // Errors fall with the root of the samples, and are looked at where these have doubled.
+        const auto now = static_cast<double>(totals.samplesPerPixel);
+        const double needed = now * std::pow(totals.error->relative / *plan_.targetError, 2.0);
+        const double look = std::max(128.0, std::exp2(std::ceil(std::log2(std::max(1.0, needed)))));
+        const auto before = static_cast<double>(plan_.samplesBefore);
+        if (look > before)
+            done = std::max(done, paths / (static_cast<double>(plan_.pixels) * (look - before)));
+    }
+    return std::clamp(done, 0.0, 1.0);
+}
+
 void Progress::rendering(const RenderTotals& totals) {
     if (!isDue())
         return;
     const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
     const auto paths = static_cast<double>(totals.paths);
-    const double done = paths / static_cast<double>(totalPaths_);
-    const double left = paths > 0.0 ? elapsed * (1.0 - done) / done : 0.0;
-    show(done, std::to_string(totals.samplesPerPixel) + "/" + std::to_string(samplesPerPixel_) +
-                   " spp  " + withPrefix(paths / totals.seconds) + " samples/s  " +
-                   withPrefix(static_cast<double>(totals.rays) / totals.seconds) + " rays/s  " +
-                   durationText(elapsed) + " elapsed, " + durationText(left) + " left");
+    const double done = shareDone(totals, elapsed);
+    std::string text = std::to_string(totals.samplesPerPixel);
+    if (plan_.samplesPerPixel)
+        text.append("/").append(std::to_string(*plan_.samplesPerPixel));
+    text += " spp  ";
+    if (totals.error)
+        text += "error " + percentText(totals.error->relative) + "  ";
+    text += withPrefix(paths / totals.seconds) + " samples/s  " +
+            withPrefix(static_cast<double>(totals.rays) / totals.seconds) + " rays/s  " +
+            durationText(elapsed) + " elapsed";
+    if (done > 0.0)
+        text += ", " + durationText(elapsed * (1.0 - done) / done) + " left";
+    show(done, text);
 }
 
 void Progress::clear() {

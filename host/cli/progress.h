@@ -2,18 +2,27 @@
 
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "render/render_session.h"
 
 namespace calotype {
 
+/// What a render is to come to: the first of these that is reached ends it.
+struct RenderPlan {
+    uint64_t pixels = 0;
+    uint64_t samplesBefore = 0;              ///< per pixel, that need not be rendered
+    std::optional<uint64_t> samplesPerPixel; ///< those before among them
+    std::optional<double> targetError;
+    std::optional<double> seconds; ///< from now
+};
+
 /// Tells on standard error how far the work is: on a terminal as a bar that is drawn over,
 /// elsewhere as a line now and then. Silent if `quiet`.
 class Progress {
 public:
-    Progress(bool quiet, uint64_t totalPaths, uint32_t samplesPerPixel);
-    explicit Progress(bool quiet) : Progress(quiet, 0, 0) {}
+    explicit Progress(bool quiet, const RenderPlan& plan = {});
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
@@ -32,18 +41,21 @@ private:
     /// True when it is time to show something again.
     bool isDue();
     void show(double done, const std::string& text);
+    double shareDone(const RenderTotals& totals, double elapsed) const;
 
     bool quiet_;
     bool terminal_;
     bool barShown_ = false;
-    uint64_t totalPaths_;
-    uint32_t samplesPerPixel_;
+    RenderPlan plan_;
     Clock::time_point start_ = Clock::now();
     Clock::time_point lastShown_ = Clock::now();
 };
 
 /// "1.25 M", "830", "12.1 k": three digits and a prefix.
 std::string withPrefix(double number);
+
+/// "1.93 %": a relative error.
+std::string percentText(double share);
 
 /// "0.8 s", "12 s", "3:05" or "2:04:10".
 std::string durationText(double seconds);

@@ -34,7 +34,7 @@ DeviceInfo ReferenceEngine::info() const {
     DeviceInfo info;
     info.name = "reference";
     info.type = "CPU";
-    info.driver = "double precision, " + std::to_string(threads_) + " threads";
+    info.driver = "double precision";
     return info;
 }
 

@@ -10,12 +10,14 @@
 #include "base/error.h"
 #include "cli/check_outputs.h"
 #include "cli/exit_code.h"
+#include "cli/film_keeper.h"
 #include "cli/interrupt.h"
+#include "cli/picture_writer.h"
 #include "cli/progress.h"
 #include "cli/render_engine.h"
+#include "cli/render_report.h"
 #include "cli/statistics.h"
 #include "cli/timed.h"
-#include "film/write_image.h"
 #include "render/render_session.h"
 #include "scene/load.h"
 
@@ -23,6 +25,10 @@ namespace calotype {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 void throwIfInterrupted() {
     if (isInterrupted())
@@ -45,11 +51,26 @@ RenderSettings makeSettings(const RenderOptions& options, const Scene& scene) {
         crop.y >= settings.height || crop.height > settings.height - crop.y)
         throw UsageError("--crop reaches beyond the picture of " + std::to_string(settings.width) +
                          "x" + std::to_string(settings.height) + " pixels");
-    settings.samplesPerPixel = options.samplesPerPixel.value_or(scene.render.samplesPerPixel);
+    // An error or a time that is wished for is not to be cut short by the scene's number of
+    // samples.
+    const bool hasGoal = options.targetError || options.seconds;
+    settings.samplesPerPixel = options.samplesPerPixel.value_or(
+        hasGoal ? RenderDefaults::kMostSamplesPerPixel : scene.render.samplesPerPixel);
+    if (options.samples) {
+        settings.firstSample = options.samples->begin;
+        settings.samplesPerPixel = options.samples->end - options.samples->begin;
+    }
     settings.maxBounces = options.maxBounces.value_or(scene.render.maxBounces);
     settings.seed = options.seed.value_or(scene.render.seed);
     settings.sampler = options.sampler;
     return settings;
+}
+
+/// Films take one kind of tree whatever the number of samples, lest parts of one film differ where
+/// surfaces touch.
+std::optional<BvhBuilder> builderFor(const RenderOptions& options) {
+    const bool keepsFilm = !options.film.film.empty() || !options.film.resume.empty();
+    return keepsFilm ? options.bvh.value_or(BvhBuilder::Sah) : options.bvh;
 }
 
 /// One `calotype render`, stage by stage.
@@ -64,33 +85,40 @@ public:
         preparation.clear();
         for (const std::string& warning : scene.warnings)
             std::fprintf(stderr, "calotype: warning: %s\n", warning.c_str());
-        settings_ = makeSettings(options_, scene);
-        sceneHash_ = scene.hash;
+        const RenderSettings settings = makeSettings(options_, scene);
+        const bool usesMedians = builderFor(options_) == BvhBuilder::Median;
+        FilmKeeper keeper(options_.film,
+                          labelOf(scene.hash, settings, usesMedians ? "median" : "sah"));
+        const bool wantsHits = !options_.layers.firstHits.empty();
         const std::unique_ptr<RenderEngine> engine = makeEngine(
             options_.device, scene,
-            {settings_, wantsLayers(), options_.bvh, false,
+            {settings, wantsHits, builderFor(options_), false,
              [&](const std::string& what, double done) { step(preparation, what, done); }},
             seconds_);
         throwIfInterrupted();
-        if (wantsLayers())
-            firstHits_ = engine->firstHits(
-                [&](double done) { step(preparation, "finding first hits", done); });
-        cutPixels_ = engine->cutPixels();
+        PictureWriter writer(options_, settings, scene.hash);
+        if (wantsHits)
+            writer.setFirstHits(engine->firstHits(
+                [&](double done) { step(preparation, "finding first hits", done); }));
         preparation.clear();
-        const double prepared = std::chrono::duration<double>(Clock::now() - start_).count();
-        RenderSession session(engine->tracer(), settings_, engine->maxRadiance());
-        const bool complete = render(session);
-        totals_ = session.totals();
-        seconds_.render = totals_.seconds;
-        seconds_.firstSample = prepared + totals_.firstSampleSeconds;
-        timed(seconds_.write, [&] { return writeOutputs(session.picture()); });
+        RenderSession session(engine->tracer(), settings,
+                              keeper.begin(settings, engine->maxRadiance(), engine->info()));
+        const double prepared = secondsSince(start_);
+        const RenderPlan plan = planFor(session);
+        const RenderEnding ending = render(session, plan, keeper, writer);
+        session.error();
+        const RenderTotals& totals = session.totals();
+        seconds_.render = totals.seconds;
+        seconds_.firstSample = prepared + totals.firstSampleSeconds;
+        writeAll(session, keeper, writer);
         if (!options_.statsFile.empty())
             writeFileAtomically(options_.statsFile,
-                                toJson({engine->info(), settings_, totals_, seconds_,
-                                        engine->deviceBytes(), sceneHash_}));
+                                toJson({engine->info(), settings, totals, ending, seconds_,
+                                        engine->deviceBytes(), scene.hash}));
         engine->finish();
-        report(complete);
-        return complete ? kExitDone : kExitOther;
+        reportRender(
+            {options_, totals, ending, plan.samplesPerPixel, keeper.path(), engine->cutPixels()});
+        return ending == RenderEnding::Stopped ? kExitOther : kExitDone;
     }
 
 private:
@@ -107,107 +135,65 @@ private:
         return scene;
     }
 
-    bool wantsLayers() const { return !options_.layers.empty(); }
+    RenderPlan planFor(const RenderSession& session) const {
+        RenderPlan plan;
+        plan.pixels = session.film().pixelCount();
+        plan.samplesBefore = session.film().samplesPerPixel();
+        plan.targetError = options_.targetError;
+        if (options_.seconds)
+            plan.seconds = std::max(0.0, *options_.seconds - secondsSince(start_));
+        if (options_.samplesPerPixel || options_.samples ||
+            !(options_.targetError || options_.seconds))
+            plan.samplesPerPixel = session.samplesInTheEnd();
+        return plan;
+    }
 
-    bool render(RenderSession& session) {
-        const uint64_t pixels = uint64_t{settings_.crop.width} * settings_.crop.height;
-        Progress progress(options_.quiet, pixels * settings_.samplesPerPixel,
-                          settings_.samplesPerPixel);
+    RenderEnding render(RenderSession& session, const RenderPlan& plan, FilmKeeper& keeper,
+                        const PictureWriter& writer) {
+        RenderGoal goal;
+        goal.targetError = options_.targetError;
+        if (plan.seconds)
+            goal.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                               std::chrono::duration<double>(*plan.seconds));
+        Progress progress(options_.quiet, plan);
         const PreviewInterval& interval = options_.previewInterval;
         Clock::time_point lastPreview = Clock::now();
         RenderObserver observer;
         observer.shouldStop = isInterrupted;
         observer.onDispatch = [&](const RenderTotals& totals) {
             progress.rendering(totals);
-            const double sincePreview =
-                std::chrono::duration<double>(Clock::now() - lastPreview).count();
-            if (interval.seconds > 0.0 && sincePreview >= interval.seconds) {
-                writePreview(session);
+            if (interval.seconds > 0.0 && secondsSince(lastPreview) >= interval.seconds) {
+                writer.writePreview(session);
                 lastPreview = Clock::now();
             }
         };
         observer.onPass = [&](const RenderTotals& totals) {
             if (interval.samples > 0 && totals.samplesPerPixel % interval.samples == 0)
-                writePreview(session);
+                writer.writePreview(session);
         };
-        return session.run(observer, interval.samples);
+        observer.onBlock = [&] { keeper.checkpoint(session.film()); };
+        return session.run(observer, interval.samples, goal);
     }
 
-    void writePreview(RenderSession& session) {
-        totals_ = session.totals();
+    /// Where one of the outputs fails, the others are written all the same.
+    void writeAll(RenderSession& session, FilmKeeper& keeper, const PictureWriter& writer) {
+        const Clock::time_point before = Clock::now();
+        std::exception_ptr filmError;
         try {
-            write(options_.previewFile.empty() ? options_.outputs.front() : options_.previewFile,
-                  session.picture());
-        } catch (const OutputError& error) { // the render is worth more than a preview of it
-            std::fprintf(stderr, "calotype: warning: %s\n", error.what());
+            if (keeper.isWanted())
+                keeper.save(session.film());
+        } catch (const OutputError&) {
+            filmError = std::current_exception();
         }
-    }
-
-    /// Writes every output that can be written, then throws what went wrong first, if anything.
-    bool writeOutputs(const Image& picture) {
-        std::exception_ptr firstError;
-        for (const std::string& path : options_.outputs) {
-            try {
-                write(path, picture);
-            } catch (const OutputError&) {
-                firstError = firstError ? firstError : std::current_exception();
-            }
-        }
-        if (firstError)
-            std::rethrow_exception(firstError);
-        return true;
-    }
-
-    void write(const std::string& path, const Image& picture) const {
-        ExrMetadata metadata;
-        metadata.version = CALOTYPE_VERSION;
-        metadata.sceneHash = sceneHash_;
-        metadata.seed = settings_.seed;
-        metadata.sampler = nameOf(settings_.sampler);
-        metadata.samplesPerPixel = totals_.samplesPerPixel;
-        metadata.seconds = totals_.seconds;
-        const Crop& crop = settings_.crop;
-        metadata.crop = CropPlacement{crop.x, crop.y, settings_.width, settings_.height};
-        const ExrLayers layers{wantsLayers() ? &firstHits_ : nullptr, options_.layers};
-        writeImage(path, picture, options_.display, metadata, layers);
-    }
-
-    void report(bool complete) const {
-        const auto warn = [](uint64_t count, const char* text) {
-            if (count > 0)
-                std::fprintf(stderr, "calotype: warning: %llu %s\n",
-                             static_cast<unsigned long long>(count), text);
-        };
-        warn(totals_.nonFiniteSamples, "samples were not finite and count as black");
-        warn(totals_.cutPaths,
-             "paths were cut short by the device's loop limit, so the picture is "
-             "too dark; lower --max-bounces, use fewer transparent layers, or take a GPU");
-        warn(cutPixels_, "pixels lie behind more transparent surfaces than the layers of --aov see "
-                         "through, and show one of those as if it were opaque");
-        warn(totals_.lostBlocks,
-             "blocks of samples were too bright for the film and count as black");
-        const std::string samples = std::to_string(totals_.samplesPerPixel) + " of " +
-                                    std::to_string(settings_.samplesPerPixel) +
-                                    " samples per pixel";
-        if (!complete)
-            std::fprintf(stderr, "calotype: interrupted after %s; the picture so far is in %s\n",
-                         samples.c_str(), options_.outputs.front().c_str());
-        else if (!options_.quiet)
-            std::fprintf(stderr, "%s: %s in %s, %s samples/s, %s rays/s\n",
-                         options_.outputs.front().c_str(), samples.c_str(),
-                         durationText(totals_.seconds).c_str(),
-                         withPrefix(static_cast<double>(totals_.paths) / totals_.seconds).c_str(),
-                         withPrefix(static_cast<double>(totals_.rays) / totals_.seconds).c_str());
+        writer.writeOutputs(session);
+        if (filmError)
+            std::rethrow_exception(filmError);
+        seconds_.write = secondsSince(before);
     }
 
     const RenderOptions& options_;
     const Clock::time_point start_ = Clock::now();
-    RenderSettings settings_;
-    RenderTotals totals_;
     StageSeconds seconds_;
-    uint64_t sceneHash_ = 0;
-    FirstHitImage firstHits_; ///< empty where no layer is wanted
-    uint64_t cutPixels_ = 0;  ///< of firstHits_
 };
 
 } // namespace

@@ -4,7 +4,39 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/hexadecimal.h"
+
 namespace calotype {
+
+namespace {
+
+const char* nameOf(RenderEnding ending) {
+    switch (ending) {
+    case RenderEnding::AllSamples:
+        return "samples";
+    case RenderEnding::TargetError:
+        return "target-error";
+    case RenderEnding::Deadline:
+        return "time";
+    case RenderEnding::Stopped:
+        break;
+    }
+    return "interrupt";
+}
+
+} // namespace
+
+nlohmann::ordered_json describeError(const std::optional<ErrorEstimate>& error) {
+    if (!error)
+        return nullptr;
+    nlohmann::ordered_json json;
+    json["relative"] = error->relative;
+    json["bound"] = error->upperBound();
+    json["replicas"] = error->replicas;
+    json["doubt"] = error->doubt ? nlohmann::ordered_json(*error->doubt) : nullptr;
+    json["trusted"] = error->isTrusted();
+    return json;
+}
 
 uint64_t peakMemoryBytes() {
     rusage usage{};
@@ -13,15 +45,17 @@ uint64_t peakMemoryBytes() {
 }
 
 std::string toJson(const RenderStatistics& statistics) {
-    const auto& [device, settings, totals, seconds, deviceBytes, sceneHash] = statistics;
+    const auto& [device, settings, totals, ending, seconds, deviceBytes, sceneHash] = statistics;
     nlohmann::ordered_json json;
     json["version"] = CALOTYPE_VERSION;
     json["device"] = device.name;
     json["driver"] = device.driver;
-    json["scene_hash"] = sceneHash;
+    json["scene_hash"] = hexadecimal(sceneHash);
     json["resolution"] = {settings.width, settings.height};
     json["crop"] = {settings.crop.x, settings.crop.y, settings.crop.width, settings.crop.height};
     json["spp"] = totals.samplesPerPixel;
+    json["ended_by"] = nameOf(ending);
+    json["error"] = describeError(totals.error);
     json["max_bounces"] = settings.maxBounces;
     json["seed"] = settings.seed;
     json["sampler"] = nameOf(settings.sampler);
@@ -34,9 +68,9 @@ std::string toJson(const RenderStatistics& statistics) {
                        {"write", seconds.write}};
     json["rays"] = totals.rays;
     json["paths"] = totals.paths;
-    json["non_finite_samples"] = totals.nonFiniteSamples;
-    json["cut_paths"] = totals.cutPaths;
-    json["lost_blocks"] = totals.lostBlocks;
+    json["non_finite_samples"] = totals.losses.nonFiniteSamples;
+    json["cut_paths"] = totals.losses.cutPaths;
+    json["lost_blocks"] = totals.losses.lostPixels();
     json["device_memory_bytes"] = deviceBytes;
     json["peak_memory_bytes"] = peakMemoryBytes();
     return json.dump(2) + "\n";

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+
+#include <nlohmann/json_fwd.hpp>
 
 #include "cli/options.h"
 #include "gpu/device_list.h"
@@ -25,10 +28,14 @@ struct RenderStatistics {
     DeviceInfo device;
     RenderSettings settings;
     RenderTotals totals;
+    RenderEnding ending = RenderEnding::AllSamples;
     StageSeconds seconds;
     uint64_t deviceBytes = 0;
     uint64_t sceneHash = 0;
 };
+
+/// The estimate's numbers, or null where there is none.
+nlohmann::ordered_json describeError(const std::optional<ErrorEstimate>& error);
 
 /// Of the process so far.
 uint64_t peakMemoryBytes();

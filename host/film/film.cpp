@@ -4,11 +4,12 @@
 #include <cmath>
 
 #include "base/check.h"
-#include "shared/limits.h"
+#include "film/luminance.h"
 
 namespace calotype {
 namespace {
 
+using gpu::kReplicas;
 using gpu::kSamplesPerBlock;
 
 bool isFinite(const glm::vec4& sum) {
@@ -33,39 +34,78 @@ double filmUnit(double maxRadiance) {
     return std::ldexp(1.0, std::clamp(isPowerOfTwo ? exponent - 1 : exponent, -126, 127));
 }
 
+FilmLosses& FilmLosses::operator+=(const FilmLosses& other) {
+    nonFiniteSamples += other.nonFiniteSamples;
+    cutPaths += other.cutPaths;
+    nonFinitePixels += other.nonFinitePixels;
+    overflowedPixels += other.overflowedPixels;
+    return *this;
+}
+
 Film::Film(uint32_t width, uint32_t height, double unit)
-    : width_(width), height_(height), unit_(unit), sums_(size_t{width} * height) {
-    CALOTYPE_CHECK_LT(0u, sums_.size());
+    : Film(width, height, unit,
+           {{},
+            std::vector<Sum>(size_t{width} * height),
+            std::vector<FixedPoint>(size_t{width} * height * kReplicas),
+            {}}) {}
+
+Film::Film(uint32_t width, uint32_t height, double unit, Sums sums)
+    : width_(width), height_(height), unit_(unit), sums_(std::move(sums)) {
+    CALOTYPE_CHECK_LT(0u, pixelCount());
+    CALOTYPE_CHECK_EQ(pixelCount(), size_t{width} * height);
+    CALOTYPE_CHECK_EQ(sums_.luminances.size(), pixelCount() * kReplicas);
     CALOTYPE_CHECK_EQ(unit, filmUnit(unit));
 }
 
-void Film::addBlock(std::span<const glm::vec4> blockSums) {
-    CALOTYPE_CHECK_EQ(blockSums.size(), sums_.size());
-    CALOTYPE_CHECK_LT(blocks_, kMaxBlocks);
+void Film::addBlock(uint32_t block, std::span<const glm::vec4> blockSums,
+                    const FilmLosses& losses) {
+    CALOTYPE_CHECK_EQ(blockSums.size(), pixelCount());
+    CALOTYPE_CHECK_LT(sums_.blocks.count(), kMaxBlocks);
+    sums_.blocks.add({block, block + 1});
+    sums_.losses += losses;
     const double unitsPerRadiance = 1.0 / unit_;
+    const std::span<FixedPoint> luminances =
+        std::span(sums_.luminances).subspan(block % kReplicas * pixelCount(), pixelCount());
     for (size_t i = 0; i < blockSums.size(); ++i) {
-        const glm::vec4& block = blockSums[i];
-        CALOTYPE_CHECK_EQ(block.w, float{kSamplesPerBlock});
-        if (!isFinite(block)) {
-            ++nonFinitePixels_;
-        } else if (!isInRange(block, unit_)) {
-            ++overflowedPixels_;
+        const glm::vec4& sum = blockSums[i];
+        CALOTYPE_CHECK_EQ(sum.w, float{kSamplesPerBlock});
+        if (!isFinite(sum)) {
+            ++sums_.losses.nonFinitePixels;
+        } else if (!isInRange(sum, unit_)) {
+            ++sums_.losses.overflowedPixels;
         } else {
-            sums_[i].r += toFixedPoint(block.r * unitsPerRadiance);
-            sums_[i].g += toFixedPoint(block.g * unitsPerRadiance);
-            sums_[i].b += toFixedPoint(block.b * unitsPerRadiance);
+            const glm::dvec3 units = glm::dvec3(sum) * unitsPerRadiance;
+            sums_.colors[i].r += toFixedPoint(units.r);
+            sums_.colors[i].g += toFixedPoint(units.g);
+            sums_.colors[i].b += toFixedPoint(units.b);
+            luminances[i] += toFixedPoint(luminance(units));
         }
     }
-    ++blocks_;
+}
+
+void Film::add(const Film& other) {
+    CALOTYPE_CHECK_EQ(width_, other.width_);
+    CALOTYPE_CHECK_EQ(height_, other.height_);
+    CALOTYPE_CHECK_EQ(unit_, other.unit_);
+    sums_.blocks.add(other.sums_.blocks);
+    CALOTYPE_CHECK_LE(sums_.blocks.count(), kMaxBlocks);
+    for (size_t i = 0; i < pixelCount(); ++i) {
+        sums_.colors[i].r += other.sums_.colors[i].r;
+        sums_.colors[i].g += other.sums_.colors[i].g;
+        sums_.colors[i].b += other.sums_.colors[i].b;
+    }
+    for (size_t i = 0; i < sums_.luminances.size(); ++i)
+        sums_.luminances[i] += other.sums_.luminances[i];
+    sums_.losses += other.sums_.losses;
 }
 
 Image Film::picture(std::span<const glm::vec4> partialBlock) const {
     if (!partialBlock.empty())
-        CALOTYPE_CHECK_EQ(partialBlock.size(), sums_.size());
+        CALOTYPE_CHECK_EQ(partialBlock.size(), pixelCount());
     Image image(width_, height_);
-    for (size_t i = 0; i < sums_.size(); ++i) {
-        glm::dvec3 sum(fromFixedPoint(sums_[i].r), fromFixedPoint(sums_[i].g),
-                       fromFixedPoint(sums_[i].b));
+    for (size_t i = 0; i < pixelCount(); ++i) {
+        const Sum& color = sums_.colors[i];
+        glm::dvec3 sum(fromFixedPoint(color.r), fromFixedPoint(color.g), fromFixedPoint(color.b));
         sum *= unit_;
         auto samples = static_cast<double>(samplesPerPixel());
         if (!partialBlock.empty()) {
@@ -80,6 +120,10 @@ Image Film::picture(std::span<const glm::vec4> partialBlock) const {
     return image;
 }
 
-uint64_t Film::samplesPerPixel() const { return blocks_ * kSamplesPerBlock; }
+uint64_t Film::samplesPerPixel() const { return blocks().count() * kSamplesPerBlock; }
+
+uint64_t Film::samplesOfReplica(uint32_t replica) const {
+    return blocks().countOf(replica, kReplicas) * kSamplesPerBlock;
+}
 
 } // namespace calotype

@@ -6,8 +6,10 @@
 
 #include <glm/vec4.hpp>
 
+#include "film/block_ranges.h"
 #include "film/fixed_point.h"
 #include "image/image.h"
+#include "shared/limits.h"
 
 namespace calotype {
 
@@ -15,9 +17,24 @@ namespace calotype {
 /// radiance, a finite number >= 0; kept within 2^-126 and 2^127, and 1 for a scene without light.
 double filmUnit(double maxRadiance);
 
+/// What of a film's samples is missing or wrong.
+struct FilmLosses {
+    uint64_t nonFiniteSamples = 0; ///< samples that count as black
+    uint64_t cutPaths = 0;         ///< ended by the loop budget of one dispatch
+    uint64_t nonFinitePixels = 0;  ///< of blocks: left out, counted as black
+    uint64_t overflowedPixels = 0; ///< likewise, for being too bright
+
+    uint64_t lostPixels() const { return nonFinitePixels + overflowedPixels; }
+    FilmLosses& operator+=(const FilmLosses& other);
+    bool operator==(const FilmLosses&) const = default;
+};
+
 /// The samples of a picture so far, summed per pixel and channel in fixed point of 128 bits, of
-/// which 64 lie below one `unit`. Films are therefore bit for bit the same whatever the order in
-/// which their blocks came, and no sum stagnates.
+/// which 64 lie below one `unit`; and the luminance of each replica apart. Films are therefore bit
+/// for bit the same whatever the order in which their blocks came, and no sum stagnates.
+///
+/// Block b holds the samples of absolute indices from 16 b on, and belongs to replica b mod 8: of
+/// gpu::kSamplesPerBlock and gpu::kReplicas. Replicas are independent of each other.
 ///
 /// Range: a sum of one block enters exactly from 2^-41 units up, and to within 2^-65 units below;
 /// it stays below 2^40 units, and a film's sum below 2^63 units, so 2^23 blocks fit.
@@ -33,13 +50,31 @@ public:
         bool operator==(const Sum&) const = default;
     };
 
+    /// What a film holds, row by row from the top left pixel, in units.
+    struct Sums {
+        BlockRanges blocks;
+        std::vector<Sum> colors;            ///< one for each pixel
+        std::vector<FixedPoint> luminances; ///< those of all pixels for replica 0, 1, ...
+        FilmLosses losses;
+
+        bool operator==(const Sums&) const = default;
+    };
+
     /// A black film of width * height > 0 pixels; `unit` is a power of two, as filmUnit gives it.
     Film(uint32_t width, uint32_t height, double unit);
 
-    /// Adds one whole block: per pixel, row by row, the sum of r, g, b over gpu::kSamplesPerBlock
-    /// samples, and that number in w. A pixel whose sum is not finite, or from 2^40 units up, adds
-    /// nothing, stays in the count of samples, and is reported below.
-    void addBlock(std::span<const glm::vec4> blockSums);
+    /// A film as it was kept; the sums are of its size.
+    Film(uint32_t width, uint32_t height, double unit, Sums sums);
+
+    /// Adds a whole block that it does not hold: per pixel, row by row, the sum of r, g, b over
+    /// gpu::kSamplesPerBlock samples, and that number in w. A pixel whose sum is not finite, or
+    /// from 2^40 units up, adds nothing, stays in the count of samples, and is among the losses,
+    /// as are those which `losses` reports of the block's samples.
+    void addBlock(uint32_t block, std::span<const glm::vec4> blockSums,
+                  const FilmLosses& losses = {});
+
+    /// Adds a film of the same size and unit that holds none of the same blocks.
+    void add(const Film& other);
 
     /// Mean radiance per pixel; black where there is no sample. `partialBlock`, if not empty, is
     /// like a block, but with any number of samples in each pixel: it shows in the picture only.
@@ -47,25 +82,26 @@ public:
 
     uint32_t width() const { return width_; }
     uint32_t height() const { return height_; }
+    size_t pixelCount() const { return sums_.colors.size(); }
     double unit() const { return unit_; }
-    uint64_t blocks() const { return blocks_; }
+    const Sums& sums() const { return sums_; }
+    const BlockRanges& blocks() const { return sums_.blocks; }
+    const FilmLosses& losses() const { return sums_.losses; }
     uint64_t samplesPerPixel() const;
 
-    /// In units, row by row from the top left pixel.
-    std::span<const Sum> sums() const { return sums_; }
+    /// Of the samples per pixel, those of one replica.
+    uint64_t samplesOfReplica(uint32_t replica) const;
 
-    /// Pixels of added blocks that were left out, once for each block.
-    uint64_t nonFinitePixels() const { return nonFinitePixels_; }
-    uint64_t overflowedPixels() const { return overflowedPixels_; }
+    /// Sum of a pixel's luminance over the samples of a replica, W/(m^2 sr).
+    double replicaLuminance(uint32_t replica, size_t pixel) const {
+        return unit_ * fromFixedPoint(sums_.luminances[replica * pixelCount() + pixel]);
+    }
 
 private:
     uint32_t width_;
     uint32_t height_;
     double unit_;
-    uint64_t blocks_ = 0;
-    uint64_t nonFinitePixels_ = 0;
-    uint64_t overflowedPixels_ = 0;
-    std::vector<Sum> sums_;
+    Sums sums_;
 };
 
 } // namespace calotype

@@ -1,7 +1,6 @@
 #include "image/exr.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <exception>
 #include <limits>
 
@@ -20,6 +19,7 @@
 #include "base/atomic_file.h"
 #include "base/check.h"
 #include "base/error.h"
+#include "base/hexadecimal.h"
 #include "image/exr_check.h"
 #include "image/exr_error.h"
 
@@ -56,12 +56,6 @@ Imath::Box2i windowAt(uint32_t x, uint32_t y, uint32_t width, uint32_t height) {
     };
     return {Imath::V2i(static_cast<int>(x), static_cast<int>(y)),
             Imath::V2i(last(x, width), last(y, height))};
-}
-
-std::string hexadecimal(uint64_t value) {
-    char digits[17];
-    std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(value));
-    return digits;
 }
 
 Imf::Header describe(const Image& image, const ExrMetadata& metadata) {
@@ -117,9 +111,12 @@ void writeExr(const std::filesystem::path& path, const Image& image, const ExrMe
     if (layers.hits) {
         CALOTYPE_CHECK_EQ(layers.hits->width, image.width);
         CALOTYPE_CHECK_EQ(layers.hits->height, image.height);
-        insertLayers(header, layers);
-        insertLayers(buffer, header, layers);
     }
+    CALOTYPE_CHECK_EQ(layers.hits != nullptr, !layers.wanted.empty());
+    if (!layers.errors.empty())
+        CALOTYPE_CHECK_EQ(layers.errors.size(), image.pixels.size());
+    insertLayers(header, layers);
+    insertLayers(buffer, header, layers);
     MemoryStream stream;
     {
         Imf::OutputFile file(stream, header);

@@ -56,6 +56,16 @@ void insertSlice(Imf::FrameBuffer& buffer, const LayerChannel& channel, FirstHit
                                    sizeof(FirstHit) * hits.width));
 }
 
+struct ErrorChannel {
+    const char* name;
+    size_t offset; ///< in a PixelError, bytes
+};
+
+constexpr ErrorChannel kErrorChannels[] = {
+    {"error.SE", offsetof(PixelError, standardError)},
+    {"error.CI95", offsetof(PixelError, interval)},
+};
+
 /// Calls use(channel) for the channels of the wanted layers.
 template <typename Use>
 void forEachChannel(std::span<const FirstHitLayer> wanted, const Use& use) {
@@ -96,6 +106,9 @@ void insertLayers(Imf::Header& header, const ExrLayers& layers) {
     forEachChannel(layers.wanted, [&](const LayerChannel& channel) {
         header.channels().insert(nameOf(channel), Imf::Channel(typeOf(channel)));
     });
+    if (!layers.errors.empty())
+        for (const ErrorChannel& channel : kErrorChannels)
+            header.channels().insert(channel.name, Imf::Channel(Imf::FLOAT));
 }
 
 void insertLayers(Imf::FrameBuffer& buffer, const Imf::Header& header, const ExrLayers& layers) {
@@ -103,6 +116,15 @@ void insertLayers(Imf::FrameBuffer& buffer, const Imf::Header& header, const Exr
         // OpenEXR takes pointers to mutable memory even where it only reads.
         insertSlice(buffer, channel, const_cast<FirstHitImage&>(*layers.hits), header.dataWindow());
     });
+    if (layers.errors.empty())
+        return;
+    const Imath::Box2i& window = header.dataWindow();
+    char* const first = reinterpret_cast<char*>(const_cast<PixelError*>(layers.errors.data()));
+    const size_t width = window.max.x - window.min.x + 1;
+    for (const ErrorChannel& channel : kErrorChannels)
+        buffer.insert(channel.name,
+                      Imf::Slice::Make(Imf::FLOAT, first + channel.offset, window,
+                                       sizeof(PixelError), sizeof(PixelError) * width));
 }
 
 FirstHitImage readFirstHits(const std::filesystem::path& path) {

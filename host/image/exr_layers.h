@@ -9,6 +9,7 @@
 #include <OpenEXR/ImfForward.h>
 
 #include "image/first_hit.h"
+#include "image/pixel_error.h"
 
 namespace calotype {
 
@@ -29,8 +30,14 @@ extern const std::array<std::string, 6> kFirstHitLayerNames;
 /// The layers that an EXR file gets beside its picture.
 struct ExrLayers {
     const FirstHitImage* hits = nullptr; ///< of the picture's size; null where no layer is wanted
-    std::span<const FirstHitLayer> wanted;
+    std::span<const FirstHitLayer> wanted = {};
+    /// Of the picture's pixels, for the layer of error.SE, the standard error of luminance, and
+    /// error.CI95, the interval; empty where that layer is not wanted.
+    std::span<const PixelError> errors = {};
 };
+
+/// Name of the layer of errors.
+inline const std::string kErrorLayerName = "error";
 
 /// Declares the layers' channels.
 void insertLayers(Imf::Header& header, const ExrLayers& layers);

@@ -1,60 +1,120 @@
 #include "render/render_session.h"
 
 #include <algorithm>
-#include <chrono>
+#include <bit>
+#include <utility>
 
+#include "base/check.h"
 #include "shared/limits.h"
 
 namespace calotype {
 namespace {
 
-/// Samples that a pass adds, at most: a whole block.
-constexpr uint32_t kMaxPassSamples = gpu::kSamplesPerBlock;
+using gpu::kSamplesPerBlock;
+
+/// The least samples that a render may be judged by: one block of every replica.
+constexpr uint64_t kFirstLook = uint64_t{gpu::kReplicas} * kSamplesPerBlock;
+
+/// Estimating the error takes no more than this share of the time.
+constexpr double kEstimateShare = 0.02;
 
 /// Where the pass ends that begins with `done` samples in every pixel: the first doubles, none
-/// crosses a multiple of kMaxPassSamples, the last sample, or a multiple of `passSamples`.
-uint32_t endOfPass(uint32_t done, uint32_t samplesPerPixel, uint32_t passSamples) {
-    const auto nextMultiple = [done](uint32_t n) { return (done / n + 1) * n; };
-    uint32_t end = std::min(nextMultiple(kMaxPassSamples), samplesPerPixel);
-    end = std::min(end, std::max(1u, 2 * done));
+/// crosses the end of a block, the last sample, or a multiple of `passSamples`.
+uint64_t endOfPass(uint64_t done, uint64_t lastSample, uint32_t passSamples) {
+    const auto nextMultiple = [done](uint64_t n) { return (done / n + 1) * n; };
+    uint64_t end = std::min(nextMultiple(kSamplesPerBlock), lastSample);
+    end = std::min(end, std::max(uint64_t{1}, 2 * done));
     return passSamples > 0 ? std::min(end, nextMultiple(passSamples)) : end;
+}
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 } // namespace
 
-RenderSession::RenderSession(BlockTracer& tracer, const RenderSettings& settings,
-                             double maxRadiance)
-    : tracer_(tracer), settings_(settings),
-      film_(settings.crop.width, settings.crop.height, filmUnit(maxRadiance)),
-      sizer_(std::min(tracer.tileCount(), gpu::kMostTilesPerDispatch)) {}
-
-bool RenderSession::run(const RenderObserver& observer, uint32_t passSamples) {
-    while (totals_.samplesPerPixel < settings_.samplesPerPixel) {
-        const uint32_t done = totals_.samplesPerPixel;
-        const uint32_t blockStart = done - done % gpu::kSamplesPerBlock;
-        if (done == blockStart) {
-            tracer_.beginBlock(blockStart);
-            blockIsInFilm_ = false;
-        }
-        const uint32_t end = endOfPass(done, settings_.samplesPerPixel, passSamples);
-        if (!renderPass(end - blockStart, observer))
-            return false;
-        if (end - blockStart == gpu::kSamplesPerBlock) {
-            film_.addBlock(tracer_.readBlock());
-            blockIsInFilm_ = true;
-            totals_.lostBlocks = film_.overflowedPixels() + film_.nonFinitePixels();
-        }
-        totals_.samplesPerPixel = end;
-        if (done == 0)
-            totals_.firstSampleSeconds = totals_.seconds;
-        if (observer.onPass)
-            observer.onPass(totals_);
-    }
-    return true;
+RenderSession::RenderSession(BlockTracer& tracer, const RenderSettings& settings, Film film)
+    : tracer_(tracer), settings_(settings), film_(std::move(film)),
+      sizer_(std::min(tracer.tileCount(), gpu::kMostTilesPerDispatch)) {
+    CALOTYPE_CHECK_EQ(film_.width(), settings.crop.width);
+    CALOTYPE_CHECK_EQ(film_.height(), settings.crop.height);
+    CALOTYPE_CHECK_EQ(settings.firstSample % kSamplesPerBlock, 0u);
+    totals_.samplesPerPixel = film_.samplesPerPixel();
+    totals_.losses = film_.losses();
 }
 
-bool RenderSession::renderPass(uint32_t sampleEnd, const RenderObserver& observer) {
-    using Clock = std::chrono::steady_clock;
+RenderSession::RenderSession(BlockTracer& tracer, const RenderSettings& settings,
+                             double maxRadiance)
+    : RenderSession(tracer, settings,
+                    Film(settings.crop.width, settings.crop.height, filmUnit(maxRadiance))) {}
+
+RenderEnding RenderSession::run(const RenderObserver& observer, uint32_t passSamples,
+                                const RenderGoal& goal) {
+    if (isGoodEnough(goal))
+        return RenderEnding::TargetError;
+    const BlockRanges missing = missingBlocks();
+    for (const BlockRange& range : missing.ranges())
+        for (uint32_t block = range.begin; block < range.end; ++block)
+            if (const auto ending =
+                    renderBlock(block, samplesIn(block), observer, passSamples, goal))
+                return *ending;
+    return RenderEnding::AllSamples;
+}
+
+BlockRanges RenderSession::missingBlocks() const {
+    const uint32_t end = settings_.firstSample + settings_.samplesPerPixel;
+    return film_.blocks().missingFrom({settings_.firstSample / kSamplesPerBlock,
+                                       (end + kSamplesPerBlock - 1) / kSamplesPerBlock});
+}
+
+uint32_t RenderSession::samplesIn(uint32_t block) const {
+    const uint32_t end = settings_.firstSample + settings_.samplesPerPixel;
+    return std::min(end - kSamplesPerBlock * block, kSamplesPerBlock);
+}
+
+uint64_t RenderSession::samplesInTheEnd() const {
+    uint64_t samples = film_.samplesPerPixel();
+    const BlockRanges missing = missingBlocks();
+    for (const BlockRange& range : missing.ranges())
+        samples +=
+            uint64_t{kSamplesPerBlock} * (range.end - range.begin - 1) + samplesIn(range.end - 1);
+    return samples;
+}
+
+std::optional<RenderEnding> RenderSession::renderBlock(uint32_t block, uint32_t blockEnd,
+                                                       const RenderObserver& observer,
+                                                       uint32_t passSamples,
+                                                       const RenderGoal& goal) {
+    tracer_.beginBlock(kSamplesPerBlock * block);
+    blockIsInFilm_ = false;
+    blockLosses_ = {};
+    const uint64_t before = film_.samplesPerPixel();
+    while (totals_.samplesPerPixel < before + blockEnd) {
+        const bool isFirst = totals_.samplesPerPixel == 0;
+        const uint64_t end = endOfPass(totals_.samplesPerPixel, before + blockEnd, passSamples);
+        if (const auto ending = renderPass(static_cast<uint32_t>(end - before), observer, goal))
+            return ending;
+        totals_.samplesPerPixel = end;
+        if (isFirst)
+            totals_.firstSampleSeconds = totals_.seconds;
+        const bool isWhole = end - before == kSamplesPerBlock;
+        if (isWhole) {
+            film_.addBlock(block, tracer_.readBlock(), blockLosses_);
+            blockIsInFilm_ = true;
+            totals_.losses = film_.losses();
+            updateErrorNowAndThen();
+        }
+        if (observer.onPass)
+            observer.onPass(totals_);
+        if (isWhole && observer.onBlock)
+            observer.onBlock();
+    }
+    return isGoodEnough(goal) ? std::optional(RenderEnding::TargetError) : std::nullopt;
+}
+
+std::optional<RenderEnding> RenderSession::renderPass(uint32_t sampleEnd,
+                                                      const RenderObserver& observer,
+                                                      const RenderGoal& goal) {
     uint32_t first = 0;
     uint32_t count = 0; // of the dispatch that is not finished
     while (first < tracer_.tileCount()) {
@@ -62,8 +122,7 @@ bool RenderSession::renderPass(uint32_t sampleEnd, const RenderObserver& observe
             count = std::min(sizer_.tiles(), tracer_.tileCount() - first);
         const Clock::time_point before = Clock::now();
         const gpu::RenderCounters counters = tracer_.renderTiles({first, count}, sampleEnd);
-        const Clock::time_point after = Clock::now();
-        const double seconds = std::chrono::duration<double>(after - before).count();
+        const double seconds = secondsSince(before);
         sizer_.update(count, seconds);
         add(counters);
         totals_.seconds += seconds;
@@ -74,16 +133,40 @@ bool RenderSession::renderPass(uint32_t sampleEnd, const RenderObserver& observe
         if (observer.onDispatch)
             observer.onDispatch(totals_);
         if (observer.shouldStop && observer.shouldStop())
-            return false;
+            return RenderEnding::Stopped;
+        if (goal.deadline && totals_.samplesPerPixel > 0 && Clock::now() >= *goal.deadline)
+            return RenderEnding::Deadline;
     }
-    return true;
+    return std::nullopt;
 }
 
 void RenderSession::add(const gpu::RenderCounters& counters) {
     totals_.rays += counters.rays;
     totals_.paths += counters.paths;
-    totals_.nonFiniteSamples += counters.nonFiniteSamples;
-    totals_.cutPaths += counters.cutPaths;
+    blockLosses_ += {counters.nonFiniteSamples, counters.cutPaths, 0, 0};
+    totals_.losses += {counters.nonFiniteSamples, counters.cutPaths, 0, 0};
+}
+
+const std::optional<ErrorEstimate>& RenderSession::error() {
+    if (samplesJudged_ != film_.samplesPerPixel()) {
+        const Clock::time_point before = Clock::now();
+        totals_.error = estimateError(film_);
+        samplesJudged_ = film_.samplesPerPixel();
+        estimateSeconds_ = secondsSince(before);
+        lastEstimate_ = Clock::now();
+    }
+    return totals_.error;
+}
+
+void RenderSession::updateErrorNowAndThen() {
+    if (samplesJudged_ == 0 || kEstimateShare * secondsSince(lastEstimate_) >= estimateSeconds_)
+        error();
+}
+
+bool RenderSession::isGoodEnough(const RenderGoal& goal) {
+    const uint64_t samples = film_.samplesPerPixel();
+    const bool isLook = samples >= kFirstLook && std::has_single_bit(samples);
+    return goal.targetError && isLook && error() && error()->upperBound() <= *goal.targetError;
 }
 
 Image RenderSession::picture() {

@@ -96,7 +96,10 @@ Scene loadScene(const std::string& path, const LoadOptions& options) {
         applyOverride(document, override);
     }
     LoadContext context(options, std::filesystem::path(path).parent_path());
-    context.hash.add(document.dump());
+    nlohmann::json hashed = document;
+    if (hashed.is_object())
+        hashed.erase("render"); // those are settings, which whoever compares scenes knows apart
+    context.hash.add(hashed.dump());
     readScene(
         JsonObject(JsonValue(document, path), {"$schema", "camera", "film", "render", "background",
                                                "textures", "materials", "shapes", "lights"}),

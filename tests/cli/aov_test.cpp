@@ -1,8 +1,15 @@
 // What `calotype render --aov` writes and says.
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfInputFile.h>
 
 #include "cli/cli_test.h"
+#include "film/error_estimate.h"
+#include "film/film_file.h"
 #include "image/exr.h"
 #include "image/exr_layers.h"
 #include "image/pfm.h"
@@ -73,6 +80,37 @@ TEST_F(AovTest, CropsAndPreviewsHaveTheirLayers) {
     }
 }
 
+// The errors are those of the film that the render keeps.
+TEST_F(AovTest, ErrorsAreTheFilms) {
+    const std::string exr = folder_ / "a.exr";
+    const std::string film = folder_ / "a.film";
+    ASSERT_EQ(
+        runProgram({"render", scene_, "-o", exr, "--aov", "error", "--spp", "136", "--film", film})
+            .exitCode,
+        0);
+    const KeptFilm kept = readFilm(film);
+    const std::vector<PixelError> expected = pixelErrors(kept.film);
+    Imf::InputFile file(exr.c_str());
+    std::vector<PixelError> errors(expected.size());
+    Imf::FrameBuffer buffer;
+    constexpr size_t kStride = sizeof(PixelError);
+    buffer.insert("error.SE", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(errors.data()),
+                                         kStride, kStride * kept.film.width()));
+    buffer.insert("error.CI95", Imf::Slice(Imf::FLOAT,
+                                           reinterpret_cast<char*>(errors.data()) +
+                                               offsetof(PixelError, interval),
+                                           kStride, kStride * kept.film.width()));
+    file.setFrameBuffer(buffer);
+    file.readPixels(0, static_cast<int>(kept.film.height()) - 1);
+    size_t noisy = 0;
+    for (size_t i = 0; i < errors.size(); ++i) {
+        EXPECT_EQ(errors[i].standardError, expected[i].standardError);
+        EXPECT_EQ(errors[i].interval, expected[i].interval);
+        noisy += errors[i].standardError > 0.0f && errors[i].interval > errors[i].standardError;
+    }
+    EXPECT_GT(noisy, errors.size() / 4); // what shows the floor or the ball
+}
+
 TEST_F(AovTest, MistakesAreNamed) {
     const std::string exr = folder_ / "a.exr";
     const auto aov = [&](const std::string& list, const std::string& out) {
@@ -84,6 +122,9 @@ TEST_F(AovTest, MistakesAreNamed) {
     expectFailure(aov("", exr), 2, "--aov");
     expectFailure(aov("uv,", exr), 2, "--aov");
     expectFailure(aov("uv,depth,uv", exr), 2, "\"uv\" twice");
+    expectFailure(aov("error,uv,error", exr), 2, "\"error\" twice");
+    expectFailure(aov("errors", exr), 2, "did you mean \"error\"?");
+    expectFailure(aov("error", folder_ / "a.pfm"), 2, ".exr");
     EXPECT_EQ(folder_.names(), std::vector<std::string>{"scene.json"});
 }
 

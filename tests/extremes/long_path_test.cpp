@@ -42,8 +42,8 @@ Shape boxOf(uint32_t squaresPerSide) {
 // After n events the sum has n + 1 terms: 1 - albedo^(n + 1).
 TEST_F(LongPathTest, AThousandEventsInASphere) {
     const RenderedScene result = renderScene(furnace(makeShape(Sphere{{}, 1.0}, 0), 1000));
-    EXPECT_EQ(result.totals.cutPaths, 0u);
-    EXPECT_EQ(result.totals.nonFiniteSamples, 0u);
+    EXPECT_EQ(result.totals.losses.cutPaths, 0u);
+    EXPECT_EQ(result.totals.losses.nonFiniteSamples, 0u);
     EXPECT_EQ(result.totals.paths, 16u * 16u * 4u);
     const double expected = 1.0 - std::pow(kAlbedo, 1001);
     std::vector<double> pixels;
@@ -61,7 +61,7 @@ TEST_F(LongPathTest, AThousandEventsInASphere) {
 TEST_F(LongPathTest, AThousandEventsInAMesh) {
     for (const uint32_t squares : {1u, 8u, 40u}) {
         const RenderedScene result = renderScene(furnace(boxOf(squares), 1000));
-        EXPECT_EQ(result.totals.cutPaths + result.totals.nonFiniteSamples, 0u);
+        EXPECT_EQ(result.totals.losses.cutPaths + result.totals.losses.nonFiniteSamples, 0u);
         EXPECT_EQ(result.totals.paths, 16u * 16u * 4u);
         // One ray in four million leaves through an edge: one path in 4000, which takes up to
         // 1 / 1024 of this mean along. Two in 1024 are rare.
@@ -108,7 +108,7 @@ TEST_F(LongPathTest, RaysVisitAsManyQuadricsAsPassesAreLeft) {
     scene.camera.position = {0.6, -0.4, 5.0}; // clear of the diagonal itself
     const RenderedScene result = renderScene(scene);
     EXPECT_FALSE(result.needed.enabled[gpu::kFeatureManyQuadrics]);
-    EXPECT_EQ(result.totals.cutPaths, 0u);
+    EXPECT_EQ(result.totals.losses.cutPaths, 0u);
     for (const glm::vec3& pixel : result.image.pixels)
         EXPECT_EQ(pixel.x, 1.0f);
 }
@@ -138,13 +138,13 @@ TEST_F(LongPathTest, RaysThatOutgrowTheLoopsAreCounted) {
             EXPECT_FALSE(isDark && isAside) << x << ", " << y;
         }
     }
-    std::cout << dark << " dark pixels of 256, " << result.totals.cutPaths << " counted\n";
-    EXPECT_LE(dark, result.totals.cutPaths);
-    EXPECT_LE(result.totals.cutPaths, 256 - missing);
+    std::cout << dark << " dark pixels of 256, " << result.totals.losses.cutPaths << " counted\n";
+    EXPECT_LE(dark, result.totals.losses.cutPaths);
+    EXPECT_LE(result.totals.losses.cutPaths, 256 - missing);
     if (hasLoopLimit()) {
-        EXPECT_GT(result.totals.cutPaths, 0u);
+        EXPECT_GT(result.totals.losses.cutPaths, 0u);
     } else {
-        EXPECT_EQ(result.totals.cutPaths, 0u);
+        EXPECT_EQ(result.totals.losses.cutPaths, 0u);
     }
 }
 

@@ -46,7 +46,7 @@ LongRender render(const Scene& scene, uint32_t samples) {
             EXPECT_EQ(counters.nonFiniteSamples + counters.cutPaths, 0u);
         } while (counters.unfinishedPixels > 0);
         const std::span<const glm::vec4> block = device.tracer().readBlock();
-        result.film.addBlock(block);
+        result.film.addBlock(first / gpu::kSamplesPerBlock, block);
         result.blockMeans.push_back(double{block[0].x} / gpu::kSamplesPerBlock);
     }
     return result;
@@ -57,7 +57,7 @@ LongRender render(const Scene& scene, uint32_t samples) {
 void expectNoDrift(uint32_t samples) {
     const LongRender long_ = render(furnace(), samples);
     EXPECT_EQ(long_.film.samplesPerPixel(), samples);
-    EXPECT_EQ(long_.film.nonFinitePixels() + long_.film.overflowedPixels(), 0u);
+    EXPECT_EQ(long_.film.losses().lostPixels(), 0u);
     const Estimate mean = estimate(long_.blockMeans);
     const double shown = double{long_.film.picture().at(0, 0).x};
     EXPECT_NEAR(shown, mean.mean, 0x1p-24 * mean.mean);

@@ -46,8 +46,8 @@ TEST_P(QuadricFurnace, ShowsRadianceOne) {
     const double mean = imageMean(result.image).x;
     std::cout << "mean " << mean << "\n";
     EXPECT_NEAR(mean, 1.0, 1e-4); // the noise of 262,144 samples is about 1e-5
-    EXPECT_EQ(result.totals.nonFiniteSamples, 0u);
-    EXPECT_EQ(result.totals.cutPaths, 0u);
+    EXPECT_EQ(result.totals.losses.nonFiniteSamples, 0u);
+    EXPECT_EQ(result.totals.losses.cutPaths, 0u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, QuadricFurnace, testing::ValuesIn(rooms()),

@@ -34,8 +34,8 @@ RenderedScene render(const Scene& scene) {
     wish.height = 40;
     wish.samplesPerPixel = 40; // two blocks and a part of one
     RenderedScene result = renderScene(scene, wish);
-    EXPECT_EQ(result.totals.nonFiniteSamples + result.totals.cutPaths, 0u);
-    EXPECT_EQ(result.totals.lostBlocks, 0u);
+    EXPECT_EQ(result.totals.losses.nonFiniteSamples + result.totals.losses.cutPaths, 0u);
+    EXPECT_EQ(result.totals.losses.lostPixels(), 0u);
     return result;
 }
 
@@ -113,7 +113,7 @@ TEST_F(RadianceScaleTest, TinyLampBesideADimBackground) {
     const double d2 = 1.0 + 0.3 * 0.3;
     const double fromLamp = floorRadiance(std::numbers::pi * 1e12 * r * r / std::pow(d2, 1.5));
     EXPECT_NEAR(imageMean(lit.image).x, fromLamp + kFloorAlbedo, 1e-3 * fromLamp);
-    EXPECT_EQ(lit.totals.nonFiniteSamples + lit.totals.lostBlocks, 0u);
+    EXPECT_EQ(lit.totals.losses.nonFiniteSamples + lit.totals.losses.lostPixels(), 0u);
 
     scene.camera.forward = {0.0, 1.0, 0.0};
     scene.camera.right = {-1.0, 0.0, 0.0};

@@ -59,7 +59,7 @@ void expectDark(const Placement& placement, uint32_t side) {
         const RenderedScene result = renderScene(
             scaledAndMoved(insideOf(shape), placement.scale, placement.scale * placement.offset),
             wish);
-        EXPECT_EQ(result.totals.cutPaths + result.totals.nonFiniteSamples, 0u);
+        EXPECT_EQ(result.totals.losses.cutPaths + result.totals.losses.nonFiniteSamples, 0u);
         size_t lit = 0;
         for (const glm::vec3& pixel : result.image.pixels)
             lit += pixel != glm::vec3(0.0f) ? 1 : 0;

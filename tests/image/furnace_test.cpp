@@ -18,8 +18,8 @@ void expectRadianceOne(const Scene& scene, double tolerance) {
     EXPECT_NEAR(mean.x, 1.0, tolerance);
     EXPECT_NEAR(mean.y, 1.0, tolerance);
     EXPECT_NEAR(mean.z, 1.0, tolerance);
-    EXPECT_EQ(result.totals.nonFiniteSamples, 0u);
-    EXPECT_EQ(result.totals.cutPaths, 0u);
+    EXPECT_EQ(result.totals.losses.nonFiniteSamples, 0u);
+    EXPECT_EQ(result.totals.losses.cutPaths, 0u);
     // No leak and no bright seam either: every pixel is near one.
     for (const glm::vec3& pixel : result.image.pixels)
         EXPECT_NEAR(pixel.x, 1.0, 0.25);

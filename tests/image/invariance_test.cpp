@@ -111,7 +111,7 @@ TEST_F(InvarianceTest, PathsBeyondTheLoopBudgetAreTakenUpAgain) {
     scene.render = {2, 20000, 0};
     const RenderedScene result = renderScene(scene);
     EXPECT_EQ(result.totals.paths, 8u * 8u * 2u);
-    EXPECT_EQ(result.totals.cutPaths, 0u);
+    EXPECT_EQ(result.totals.losses.cutPaths, 0u);
     EXPECT_NEAR(imageMean(result.image).x, 1.0 - std::pow(1.0 - 1e-4, 20001), 0.01);
 }
 
@@ -169,7 +169,7 @@ TEST_F(InvarianceTest, LongPathsSurviveTheLoopBudget) {
     if (testDevice().info().type == "CPU") {
         EXPECT_GT(dispatches, passes); // four tiles fit into one dispatch but for the budget
     }
-    EXPECT_EQ(result.totals.cutPaths, 0u);
+    EXPECT_EQ(result.totals.losses.cutPaths, 0u);
     EXPECT_EQ(result.totals.paths, 16u * 16u * 64u);
     const double expected = 1.0 - std::pow(0.98, 401);
     EXPECT_NEAR(imageMean(result.image).x, expected, 0.01);

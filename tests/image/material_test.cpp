@@ -151,7 +151,7 @@ void expectInvisible(Shape shape, Surroundings surroundings) {
     EXPECT_NEAR(imageMean(result.image).x, 1.0, 0.001);
     for (const glm::vec3& pixel : result.image.pixels)
         EXPECT_NEAR(pixel.x, 1.0, 0.1); // three paths in 32, at most, stay for all events
-    EXPECT_EQ(result.totals.nonFiniteSamples, 0u);
+    EXPECT_EQ(result.totals.losses.nonFiniteSamples, 0u);
 }
 
 TEST_F(MaterialTest, GlassSphereDisappears) {

@@ -17,8 +17,8 @@ RenderedScene renderScene(const Scene& scene, const RenderWish& wish) {
 
     DeviceTracer device(scene, settings, wish.features, wish.tuning);
     RenderSession session(device.tracer(), settings, device.packed().maxRadiance);
-    session.run(wish.observer, wish.passSamples);
-    return {session.picture(), session.totals(), device.packed().features};
+    session.run(wish.observer, wish.passSamples, wish.goal);
+    return {session.picture(), session.totals(), device.packed().features, session.film()};
 }
 
 Scene projectScene(const std::string& path) {

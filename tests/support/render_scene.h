@@ -14,6 +14,7 @@ struct RenderedScene {
     Image image;
     RenderTotals totals;
     SceneFeatures needed; ///< by the scene, whatever the wish
+    Film film;
 };
 
 /// How a test wants a scene rendered; what is absent is taken from the scene.
@@ -29,6 +30,7 @@ struct RenderWish {
     std::optional<KernelTuning> tuning;    ///< else the device's
     uint32_t passSamples = 0;
     RenderObserver observer;
+    RenderGoal goal;
 };
 
 /// Renders on the test device, through every stage that the program goes through.

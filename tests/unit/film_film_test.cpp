@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <random>
+#include <span>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -19,11 +21,13 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 using Block = std::vector<glm::vec4>;
 
+void addNext(Film& film, const Block& block) {
+    film.addBlock(static_cast<uint32_t>(film.blocks().count()), block);
+}
+
 Block uniformBlock(size_t pixels, const glm::vec3& sum) {
     return Block(pixels, glm::vec4(sum, kWhole));
 }
-
-std::vector<Film::Sum> sumsOf(const Film& film) { return {film.sums().begin(), film.sums().end()}; }
 
 TEST(FilmUnit, IsTheLeastPowerOfTwoThatReachesTheLight) {
     EXPECT_EQ(filmUnit(0.0), 1.0);
@@ -42,14 +46,14 @@ TEST(Film, StartsBlack) {
     EXPECT_EQ(image.width, 3u);
     EXPECT_EQ(image.height, 2u);
     EXPECT_EQ(image.pixels, std::vector<glm::vec3>(6, glm::vec3(0.0f)));
-    EXPECT_EQ(film.blocks(), 0u);
+    EXPECT_TRUE(film.blocks().empty());
 }
 
 TEST(Film, PictureIsTheMeanOfItsSamples) {
     Film film(2, 1, 32.0);
-    film.addBlock(Block{{16, 32, -48, kWhole}, {0, 8, 1, kWhole}});
-    film.addBlock(Block{{48, 0, 16, kWhole}, {16, 8, 1, kWhole}});
-    EXPECT_EQ(film.blocks(), 2u);
+    addNext(film, Block{{16, 32, -48, kWhole}, {0, 8, 1, kWhole}});
+    addNext(film, Block{{48, 0, 16, kWhole}, {16, 8, 1, kWhole}});
+    EXPECT_EQ(film.blocks().count(), 2u);
     EXPECT_EQ(film.samplesPerPixel(), 32u);
     EXPECT_EQ(film.picture().at(0, 0), glm::vec3(2, 1, -1));
     EXPECT_EQ(film.picture().at(1, 0), glm::vec3(0.5f, 0.5f, 0.0625f));
@@ -67,18 +71,41 @@ TEST(Film, IsBitForBitTheSameInAnyOrderOfBlocks) {
                 pixel[channel] = std::ldexp(mantissa(random), exponent(random));
             pixel.w = kWhole;
         }
-    const auto filmOf = [&] {
+    std::vector<uint32_t> order(blocks.size());
+    std::iota(order.begin(), order.end(), 0u);
+    const auto filmOf = [&](std::span<const uint32_t> indices) {
         Film film(4, 3, 1.0);
-        for (const Block& block : blocks)
-            film.addBlock(block);
+        for (const uint32_t index : indices)
+            film.addBlock(index, blocks[index], {index, 1, 0, 0});
         return film;
     };
-    const Film first = filmOf();
-    for (int order = 0; order < 20; ++order) {
-        std::shuffle(blocks.begin(), blocks.end(), random);
-        const Film other = filmOf();
-        EXPECT_TRUE(sumsOf(other) == sumsOf(first));
+    const Film first = filmOf(order);
+    EXPECT_EQ(first.losses(), (FilmLosses{60 * 59 / 2, 60, 0, 0}));
+    for (int round = 0; round < 20; ++round) {
+        std::shuffle(order.begin(), order.end(), random);
+        const Film other = filmOf(order);
+        EXPECT_TRUE(other.sums() == first.sums());
         EXPECT_EQ(other.picture().pixels, first.picture().pixels);
+        // In parts of any size, joined.
+        const auto cut = static_cast<size_t>(round) * 3;
+        Film part = filmOf(std::span(order).first(cut));
+        part.add(filmOf(std::span(order).subspan(cut)));
+        EXPECT_TRUE(part.sums() == first.sums());
+    }
+}
+
+TEST(Film, KeepsTheLuminanceOfEachReplicaApart) {
+    Film film(2, 1, 4.0);
+    for (uint32_t block = 0; block < 11; ++block) {
+        const auto value = static_cast<float>(block);
+        film.addBlock(block, Block{{value, 0, 0, kWhole}, {0, value, 2 * value, kWhole}});
+    }
+    EXPECT_EQ(film.samplesOfReplica(2), 32u);
+    EXPECT_EQ(film.samplesOfReplica(3), 16u);
+    for (uint32_t replica = 0; replica < gpu::kReplicas; ++replica) {
+        const double sum = replica < 3 ? 2.0 * replica + 8.0 : replica;
+        EXPECT_NEAR(film.replicaLuminance(replica, 0), 0.2126 * sum, 1e-15 * sum);
+        EXPECT_NEAR(film.replicaLuminance(replica, 1), (0.7152 + 2 * 0.0722) * sum, 1e-15 * sum);
     }
 }
 
@@ -87,9 +114,9 @@ TEST(Film, DoesNotDriftOverAMillionBlocks) {
     Film film(1, 1, 4.0);
     const Block block = uniformBlock(1, {0.1f, -0.7f, 3.0f});
     for (int i = 0; i < kBlocks; ++i)
-        film.addBlock(block);
+        addNext(film, block);
     // 0.1f = 13421773 * 2^-27 and 0.7f = 11744051 * 2^-24; the unit takes 2 of the 64 bits.
-    const Film::Sum& sum = film.sums()[0];
+    const Film::Sum& sum = film.sums().colors[0];
     EXPECT_TRUE(sum.r == (FixedPoint{13421773} * kBlocks) << (64 - 27 - 2));
     EXPECT_TRUE(sum.g == -((FixedPoint{11744051} * kBlocks) << (64 - 24 - 2)));
     EXPECT_TRUE(sum.b == (FixedPoint{3} * kBlocks) << (64 - 2));
@@ -102,7 +129,7 @@ TEST(Film, KeepsDarkPixelsBesideABrightUnit) {
     Block block = uniformBlock(2, dark);
     block[1] = glm::vec4(1e9f, 2e9f, 3e9f, kWhole);
     for (int i = 0; i < 1000; ++i)
-        film.addBlock(block);
+        addNext(film, block);
     EXPECT_EQ(film.picture().at(0, 0), dark / kWhole);
     EXPECT_EQ(film.picture().at(1, 0), glm::vec3(block[1]) / kWhole);
 }
@@ -110,19 +137,19 @@ TEST(Film, KeepsDarkPixelsBesideABrightUnit) {
 TEST(Film, RoundsBelowItsExactRangeByAtMostHalfAStep) {
     Film film(1, 1, 1.0);
     const float tiny = 0x1.234566p-60f;
-    film.addBlock(uniformBlock(1, glm::vec3(tiny)));
-    EXPECT_LE(std::abs(fromFixedPoint(film.sums()[0].r) - tiny), 0x1p-65);
+    addNext(film, uniformBlock(1, glm::vec3(tiny)));
+    EXPECT_LE(std::abs(fromFixedPoint(film.sums().colors[0].r) - tiny), 0x1p-65);
 }
 
 TEST(Film, CountsWhatIsNotFiniteAndAddsNothing) {
     Film film(4, 1, 1.0);
-    film.addBlock(uniformBlock(4, glm::vec3(16.0f)));
-    film.addBlock(Block{{NAN, 16, 16, kWhole},
+    addNext(film, uniformBlock(4, glm::vec3(16.0f)));
+    addNext(film, Block{{NAN, 16, 16, kWhole},
                         {16, kInfinity, 16, kWhole},
                         {16, 16, -kInfinity, kWhole},
                         {16, 16, 16, kWhole}});
-    EXPECT_EQ(film.nonFinitePixels(), 3u);
-    EXPECT_EQ(film.overflowedPixels(), 0u);
+    EXPECT_EQ(film.losses().nonFinitePixels, 3u);
+    EXPECT_EQ(film.losses().overflowedPixels, 0u);
     for (uint32_t x = 0; x < 3; ++x)
         EXPECT_EQ(film.picture().at(x, 0), glm::vec3(0.5f)) << "16 of 32 samples add zero";
     EXPECT_EQ(film.picture().at(3, 0), glm::vec3(1.0f));
@@ -132,12 +159,12 @@ TEST(Film, CountsWhatIsOutOfRangeAndAddsNothing) {
     Film film(4, 1, 2.0);
     const float limit = 0x1p41f;
     const float below = std::nextafter(limit, 0.0f);
-    film.addBlock(Block{{below, -below, below, kWhole},
+    addNext(film, Block{{below, -below, below, kWhole},
                         {0, limit, 0, kWhole},
                         {0, 0, -limit, kWhole},
                         {std::numeric_limits<float>::max(), 0, 0, kWhole}});
-    EXPECT_EQ(film.overflowedPixels(), 3u);
-    EXPECT_EQ(film.nonFinitePixels(), 0u);
+    EXPECT_EQ(film.losses().overflowedPixels, 3u);
+    EXPECT_EQ(film.losses().nonFinitePixels, 0u);
     EXPECT_EQ(film.picture().at(0, 0), glm::vec3(below, -below, below) / kWhole);
     for (uint32_t x = 1; x < 4; ++x)
         EXPECT_EQ(film.picture().at(x, 0), glm::vec3(0.0f));
@@ -148,25 +175,25 @@ TEST(FilmDeathTest, HoldsItsLimitOfTheBrightestBlocksAndNoMore) {
     const float brightest = std::nextafter(0x1p40f, 0.0f); // (2^24 - 1) * 2^16
     const Block block = uniformBlock(1, {brightest, -brightest, 0.0f});
     for (uint64_t i = 0; i < Film::kMaxBlocks; ++i)
-        film.addBlock(block);
+        addNext(film, block);
     const FixedPoint expected = FixedPoint{0xffffff} << (16 + 64 + 23);
-    EXPECT_TRUE(film.sums()[0].r == expected);
-    EXPECT_TRUE(film.sums()[0].g == -expected);
-    EXPECT_DEATH(film.addBlock(block), "check failed: blocks_");
+    EXPECT_TRUE(film.sums().colors[0].r == expected);
+    EXPECT_TRUE(film.sums().colors[0].g == -expected);
+    EXPECT_DEATH(addNext(film, block), "check failed: sums_.blocks.count");
 }
 
 TEST(Film, TakesTheExtremesOfUnitAndRadiance) {
     const float smallest = std::numeric_limits<float>::denorm_min();
     const float largest = std::numeric_limits<float>::max();
     Film dim(1, 1, 0x1p-126);
-    dim.addBlock(uniformBlock(1, {smallest, largest, 0.0f}));
-    dim.addBlock(uniformBlock(1, {smallest, 0.0f, 0.0f}));
-    EXPECT_EQ(dim.overflowedPixels(), 1u);
-    EXPECT_EQ(fromFixedPoint(dim.sums()[0].r) * dim.unit(), smallest);
+    addNext(dim, uniformBlock(1, {smallest, largest, 0.0f}));
+    addNext(dim, uniformBlock(1, {smallest, 0.0f, 0.0f}));
+    EXPECT_EQ(dim.losses().overflowedPixels, 1u);
+    EXPECT_EQ(fromFixedPoint(dim.sums().colors[0].r) * dim.unit(), smallest);
     Film bright(1, 1, 0x1p127);
-    bright.addBlock(uniformBlock(1, {largest, smallest, 0.0f}));
+    addNext(bright, uniformBlock(1, {largest, smallest, 0.0f}));
     EXPECT_EQ(bright.picture().at(0, 0).r, largest / kWhole);
-    EXPECT_EQ(bright.overflowedPixels(), 0u);
+    EXPECT_EQ(bright.losses().overflowedPixels, 0u);
 }
 
 TEST(Film, ShowsAPartialBlockInThePictureOnly) {
@@ -175,16 +202,16 @@ TEST(Film, ShowsAPartialBlockInThePictureOnly) {
     EXPECT_EQ(film.picture(partial).pixels,
               (std::vector<glm::vec3>{{1, 2, 3}, {1, 1, 1}, {0, 0, 0}, {0, 0, 0}}));
 
-    film.addBlock(uniformBlock(4, glm::vec3(32.0f)));
-    const std::vector<Film::Sum> before = sumsOf(film);
+    addNext(film, uniformBlock(4, glm::vec3(32.0f)));
+    const Film::Sums before = film.sums();
     const Image image = film.picture(partial);
     EXPECT_EQ(image.at(0, 0), glm::vec3(34.0f, 36.0f, 38.0f) / 18.0f);
     EXPECT_EQ(image.at(1, 0), glm::vec3(40.0f / 24.0f));
     EXPECT_EQ(image.at(2, 0), glm::vec3(2.0f));
     EXPECT_EQ(image.at(3, 0), glm::vec3(32.0f / 20.0f));
-    EXPECT_TRUE(sumsOf(film) == before);
-    EXPECT_EQ(film.blocks(), 1u);
-    EXPECT_EQ(film.nonFinitePixels(), 0u);
+    EXPECT_TRUE(film.sums() == before);
+    EXPECT_EQ(film.blocks().count(), 1u);
+    EXPECT_EQ(film.losses().nonFinitePixels, 0u);
     EXPECT_EQ(film.picture().at(1, 0), glm::vec3(2.0f));
 }
 
@@ -192,8 +219,8 @@ TEST(FilmDeathTest, RefusesBlocksThatAreNotWhole) {
     Film film(2, 1, 1.0);
     Block block = uniformBlock(2, glm::vec3(1.0f));
     block[1].w = kWhole - 1;
-    EXPECT_DEATH(film.addBlock(block), "check failed: block.w");
-    EXPECT_DEATH(film.addBlock(uniformBlock(1, glm::vec3(1.0f))), "check failed");
+    EXPECT_DEATH(addNext(film, block), "check failed: sum.w");
+    EXPECT_DEATH(addNext(film, uniformBlock(1, glm::vec3(1.0f))), "check failed");
     EXPECT_DEATH(film.picture(uniformBlock(1, glm::vec3(1.0f))), "check failed");
     EXPECT_DEATH(Film(2, 1, 3.0), "check failed");
 }

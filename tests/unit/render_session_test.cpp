@@ -3,6 +3,9 @@
 #include "render/render_session.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -54,12 +57,124 @@ TEST(RenderSession, TakesEverySampleIndexOnce) {
             settings.crop = {0, 0, 3, 1};
             CountingTracer tracer;
             RenderSession session(tracer, settings, 64.0);
-            EXPECT_TRUE(session.run({}, passSamples));
+            EXPECT_EQ(session.run({}, passSamples), RenderEnding::AllSamples);
+            EXPECT_EQ(session.samplesInTheEnd(), samples);
             EXPECT_EQ(session.totals().paths, 3 * samples);
             const float mean = 0.5f * static_cast<float>(samples + 1); // of 1 to `samples`
             for (const glm::vec3& pixel : session.picture().pixels)
                 EXPECT_FLOAT_EQ(pixel.x, mean);
         }
+}
+
+RenderSettings settingsFor(uint32_t firstSample, uint32_t samples) {
+    RenderSettings settings;
+    settings.firstSample = firstSample;
+    settings.samplesPerPixel = samples;
+    settings.crop = {0, 0, 3, 1};
+    return settings;
+}
+
+Film filmOf(uint32_t firstSample, uint32_t samples) {
+    CountingTracer tracer;
+    RenderSession session(tracer, settingsFor(firstSample, samples), 64.0);
+    session.run({});
+    return session.film();
+}
+
+// Whatever of the samples a film holds before, it holds them all, once, in the end.
+TEST(RenderSession, GoesOnWithWhatAFilmLacks) {
+    const Film whole = filmOf(0, 160);
+    for (const auto& [first, count] :
+         {std::pair{0u, 16u}, {0u, 48u}, {32u, 64u}, {144u, 16u}, {0u, 160u}, {64u, 480u}}) {
+        SCOPED_TRACE(testing::Message() << first << " and " << count << " more");
+        CountingTracer tracer;
+        RenderSession session(tracer, settingsFor(0, 160), filmOf(first, count));
+        const uint32_t outside = first + count > 160 ? first + count - 160 : 0;
+        EXPECT_EQ(session.samplesInTheEnd(), 160 + outside);
+        EXPECT_EQ(session.run({}), RenderEnding::AllSamples);
+        EXPECT_EQ(session.totals().paths, 3 * (160 - (count - outside)));
+        EXPECT_EQ(session.totals().samplesPerPixel, 160 + outside);
+        EXPECT_EQ(session.film().sums() == whole.sums(), outside == 0);
+    }
+}
+
+TEST(RenderSession, RendersARangeOfSamples) {
+    Film joined = filmOf(96, 64);
+    EXPECT_EQ(joined.blocks().ranges().front(), (BlockRange{6, 10}));
+    joined.add(filmOf(0, 96));
+    EXPECT_TRUE(joined.sums() == filmOf(0, 160).sums());
+}
+
+// A block that was begun shows in the picture, never in the film.
+TEST(RenderSession, StopsWithinABlock) {
+    CountingTracer tracer;
+    RenderSession session(tracer, settingsFor(0, 64), 64.0);
+    RenderObserver observer;
+    observer.shouldStop = [&] { return session.totals().paths > 3 * 20; };
+    EXPECT_EQ(session.run(observer), RenderEnding::Stopped);
+    EXPECT_TRUE(session.film().sums() == filmOf(0, 16).sums());
+    EXPECT_GT(session.picture().pixels[0].x, session.film().picture().pixels[0].x);
+}
+
+TEST(RenderSession, DeadlineLeavesTimeForOneSample) {
+    CountingTracer tracer;
+    RenderSession session(tracer, settingsFor(0, 1u << 20), 64.0);
+    RenderGoal goal;
+    goal.deadline = std::chrono::steady_clock::now() - std::chrono::seconds(1);
+    EXPECT_EQ(session.run({}, 0, goal), RenderEnding::Deadline);
+    EXPECT_GE(session.totals().samplesPerPixel, 1u);
+    EXPECT_LE(session.totals().samplesPerPixel, 2u);
+}
+
+/// Like CountingTracer, but a pixel's mean over block b is 1 + noise / 2^(b / 8), of either sign:
+/// the error halves, and more, with each 128 samples.
+class SettlingTracer : public CountingTracer {
+public:
+    explicit SettlingTracer(float noise) : noise_(noise) {}
+
+    void beginBlock(uint32_t firstSample) override {
+        CountingTracer::beginBlock(firstSample);
+        block_ = firstSample / gpu::kSamplesPerBlock;
+    }
+
+    std::span<const glm::vec4> readBlock() override {
+        const std::span<const glm::vec4> counted = CountingTracer::readBlock();
+        const float sign = block_ % 2 == 0 ? 1.0f : -1.0f;
+        const float mean = 1.0f + sign * std::ldexp(noise_, -static_cast<int>(block_ / 8));
+        sums_.assign(counted.size(), glm::vec4(glm::vec3(mean * counted[0].w), counted[0].w));
+        return sums_;
+    }
+
+private:
+    float noise_;
+    uint32_t block_ = 0;
+    std::vector<glm::vec4> sums_;
+};
+
+// The bound on the error is looked at when the samples have doubled, and nowhere else.
+TEST(RenderSession, EndsAtALookThatIsGoodEnough) {
+    for (const double target : {0.5, 0.1, 0.02}) {
+        SettlingTracer tracer(0.5f);
+        RenderSession session(tracer, settingsFor(0, 1u << 16), 64.0);
+        std::map<uint64_t, double> bounds;
+        RenderObserver observer;
+        observer.onBlock = [&] {
+            if (const auto error = estimateError(session.film()))
+                bounds[session.film().samplesPerPixel()] = error->upperBound();
+        };
+        RenderGoal goal;
+        goal.targetError = target;
+        EXPECT_EQ(session.run(observer, 0, goal), RenderEnding::TargetError);
+        uint64_t expected = 128;
+        while (bounds.at(expected) > target)
+            expected *= 2;
+        EXPECT_EQ(session.totals().samplesPerPixel, expected) << target;
+        EXPECT_EQ(session.totals().error->relative, session.error()->relative);
+        // A film that is good enough is left as it is.
+        RenderSession again(tracer, settingsFor(0, 1u << 16), session.film());
+        EXPECT_EQ(again.run({}, 0, goal), RenderEnding::TargetError);
+        EXPECT_EQ(again.totals().paths, 0u);
+    }
 }
 
 } // namespace

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <string>
+
+namespace calotype {
+
+/// Sixteen digits, lower case.
+inline std::string hexadecimal(uint64_t value) {
+    char digits[17];
+    std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(value));
+    return digits;
+}
+
+} // namespace calotype

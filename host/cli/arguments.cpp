@@ -1,0 +1,63 @@
+#include "cli/arguments.h"
+
+#include "cli/parse_values.h"
+
+namespace calotype {
+
+void addOverrides(CLI::App& command, std::vector<SceneOverride>& overrides) {
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--set",
+            [&overrides](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts)
+                    overrides.push_back(parseOverride(text));
+            },
+            "Change a value of the scene, e.g. /render/max_bounces=8; may be repeated")
+        ->type_name("/POINTER=VALUE")
+        ->expected(1)
+        ->take_all();
+}
+
+void addSceneOptions(CLI::App& command, SceneOptions& scene) {
+    command.add_option("scene", scene.path, "Scene file (JSON), or a model (OBJ) to show")
+        ->required()
+        ->type_name("SCENE");
+    addOverrides(command, scene.overrides);
+    addParsed(command, "--missing-textures", scene.missingTextures, parseMissingTextures,
+              "Where an image file is missing: fail, or warn and show magenta", "fail|warn");
+}
+
+void addDeviceOptions(CLI::App& command, DeviceOptions& device, const std::string& others) {
+    command
+        .add_option("--device", device.device,
+                    "Device by index or part of its name (else CALOTYPE_DEVICE, else the best)" +
+                        others)
+        ->type_name("INDEX|NAME");
+    command.add_option("--threads", device.threads, "Threads on the CPU (default: all cores)")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N");
+}
+
+void addBvhOption(CLI::App& command, std::optional<BvhBuilder>& bvh) {
+    addParsed(
+        command, "--bvh", bvh, parseBvh,
+        "How the BVH is built: median (soon done), sah (soon traversed), or auto, the quickest "
+        "for the samples asked for (default)",
+        "auto|median|sah");
+}
+
+void addSamplerOption(CLI::App& command, Sampler& sampler) {
+    addParsed(command, "--sampler", sampler, parseSampler,
+              "How random numbers are drawn: each for itself (independent, the default), or in "
+              "pairs that fill the square evenly (sobol)",
+              "independent|sobol");
+}
+
+void addDisplayOptions(CLI::App& command, DisplayTransform& display) {
+    addParsed(command, "--exposure", display.exposureStops, parseExposure,
+              "Brighten PNGs by this many stops (factors of two)", "STOPS");
+    addParsed(command, "--tonemap", display.toneMap, parseToneMap,
+              "How PNGs treat bright light: " + std::string(kToneMapNames), "NAME");
+}
+
+} // namespace calotype

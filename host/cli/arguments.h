@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/options.h"
+
+namespace calotype {
+
+// What several commands take.
+void addOverrides(CLI::App& command, std::vector<SceneOverride>& overrides);
+void addSceneOptions(CLI::App& command, SceneOptions& scene);
+void addDeviceOptions(CLI::App& command, DeviceOptions& device, const std::string& others = "");
+void addBvhOption(CLI::App& command, std::optional<BvhBuilder>& bvh);
+void addSamplerOption(CLI::App& command, Sampler& sampler);
+void addDisplayOptions(CLI::App& command, DisplayTransform& display);
+
+CLI::App& addRenderCommand(CLI::App& app, RenderOptions& options);
+
+/// An option whose text a function of parse_values.h turns into `target`.
+template <typename Target, typename Parse>
+CLI::Option* addParsed(CLI::App& command, const std::string& name, Target& target, Parse parse,
+                       const std::string& description, const std::string& type) {
+    return command
+        .add_option_function<std::string>(
+            name, [&target, parse](const std::string& text) { target = parse(text); }, description)
+        ->type_name(type);
+}
+
+} // namespace calotype

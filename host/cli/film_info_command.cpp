@@ -1,0 +1,80 @@
+#include <cstdio>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "base/hexadecimal.h"
+#include "cli/commands.h"
+#include "cli/exit_code.h"
+#include "cli/progress.h"
+#include "cli/statistics.h"
+#include "film/film_file.h"
+#include "shared/limits.h"
+
+namespace calotype {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string devicesOf(const FilmLabel& label) {
+    std::string names;
+    for (const std::string& device : label.devices)
+        names += (names.empty() ? "" : "; ") + device;
+    return names;
+}
+
+Json toJson(const KeptFilm& kept) {
+    const Film& film = kept.film;
+    Json json;
+    json["spp"] = film.samplesPerPixel();
+    json["ranges"] = Json::array();
+    for (const BlockRange& range : film.blocks().ranges())
+        json["ranges"].push_back(
+            {range.begin * gpu::kSamplesPerBlock, range.end * gpu::kSamplesPerBlock});
+    json["scene_hash"] = hexadecimal(kept.label.sceneHash);
+    json["device"] = devicesOf(kept.label);
+    json["width"] = film.width();
+    json["height"] = film.height();
+    json["settings"] = kept.label.settings;
+    json["error"] = describeError(estimateError(film));
+    json["non_finite_samples"] = film.losses().nonFiniteSamples;
+    json["cut_paths"] = film.losses().cutPaths;
+    json["lost_blocks"] = film.losses().lostPixels();
+    return json;
+}
+
+void print(const KeptFilm& kept) {
+    const Film& film = kept.film;
+    std::printf("film        %u x %u pixels\n", film.width(), film.height());
+    std::printf("samples     %llu per pixel",
+                static_cast<unsigned long long>(film.samplesPerPixel()));
+    for (const BlockRange& range : film.blocks().ranges())
+        std::printf("%s%u:%u", range == film.blocks().ranges().front() ? ": " : ", ",
+                    range.begin * gpu::kSamplesPerBlock, range.end * gpu::kSamplesPerBlock);
+    std::printf("\n");
+    if (const auto error = estimateError(film))
+        std::printf("error       %s%s\n", percentText(error->relative).c_str(),
+                    error->isTrusted() ? "" : ", not to be trusted");
+    std::printf("scene       %s\n", hexadecimal(kept.label.sceneHash).c_str());
+    std::printf("device      %s\n", devicesOf(kept.label).c_str());
+    for (const auto& [name, value] : kept.label.settings)
+        std::printf("%-11s %s\n", name.c_str(), value.c_str());
+    std::printf(
+        "lost        %llu samples not finite, %llu paths cut short, %llu blocks of pixels\n",
+        static_cast<unsigned long long>(film.losses().nonFiniteSamples),
+        static_cast<unsigned long long>(film.losses().cutPaths),
+        static_cast<unsigned long long>(film.losses().lostPixels()));
+}
+
+} // namespace
+
+int filmInfoCommand(const InfoOptions& options) {
+    const KeptFilm kept = readFilm(options.scene.path);
+    if (options.asJson)
+        std::printf("%s\n", toJson(kept).dump(2).c_str());
+    else
+        print(kept);
+    return kExitDone;
+}
+
+} // namespace calotype

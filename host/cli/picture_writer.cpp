@@ -1,0 +1,62 @@
+#include "cli/picture_writer.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <limits>
+
+#include "base/error.h"
+#include "film/error_estimate.h"
+#include "film/write_image.h"
+
+namespace calotype {
+
+void PictureWriter::writeOutputs(RenderSession& session) const {
+    if (options_.outputs.empty())
+        return;
+    const Contents contents = contentsOf(session);
+    std::exception_ptr firstError;
+    for (const std::string& path : options_.outputs) {
+        try {
+            write(path, contents);
+        } catch (const OutputError&) {
+            firstError = firstError ? firstError : std::current_exception();
+        }
+    }
+    if (firstError)
+        std::rethrow_exception(firstError);
+}
+
+void PictureWriter::writePreview(RenderSession& session) const {
+    try {
+        write(options_.previewFile.empty() ? options_.outputs.front() : options_.previewFile,
+              contentsOf(session));
+    } catch (const OutputError& error) {
+        std::fprintf(stderr, "calotype: warning: %s\n", error.what());
+    }
+}
+
+PictureWriter::Contents PictureWriter::contentsOf(RenderSession& session) const {
+    Contents contents{session.picture(), {}, session.totals()};
+    if (options_.layers.errors)
+        contents.errors = pixelErrors(session.film());
+    return contents;
+}
+
+void PictureWriter::write(const std::string& path, const Contents& contents) const {
+    const Crop& crop = settings_.crop;
+    ExrMetadata metadata;
+    metadata.version = CALOTYPE_VERSION;
+    metadata.sceneHash = sceneHash_;
+    metadata.seed = settings_.seed;
+    metadata.sampler = nameOf(settings_.sampler);
+    metadata.samplesPerPixel = static_cast<uint32_t>(
+        std::min<uint64_t>(contents.totals.samplesPerPixel, std::numeric_limits<uint32_t>::max()));
+    metadata.seconds = contents.totals.seconds;
+    metadata.crop = CropPlacement{crop.x, crop.y, settings_.width, settings_.height};
+    const ExrLayers layers{firstHits_.pixels.empty() ? nullptr : &firstHits_,
+                           options_.layers.firstHits, contents.errors};
+    writeImage(path, contents.picture, options_.display, metadata, layers);
+}
+
+} // namespace calotype

@@ -1,0 +1,84 @@
+#include <string>
+
+#include "cli/arguments.h"
+#include "cli/parse_values.h"
+
+namespace calotype {
+namespace {
+
+/// What ends a render.
+void addGoalOptions(CLI::App& command, RenderOptions& options) {
+    command.add_option("--spp", options.samplesPerPixel, "Samples per pixel")
+        ->check(CLI::Range(1u, RenderDefaults::kMostSamplesPerPixel))
+        ->type_name("N");
+    addParsed(command, "--target-error", options.targetError, parseTargetError,
+              "Render until the relative error, at 95 % confidence, is at most this, e.g. 0.02",
+              "X");
+    const auto parseTime = [](const std::string& text) { return parseDuration("--time", text); };
+    addParsed(command, "--time", options.seconds, parseTime,
+              "Render until so much time has passed since the start: 30s, 5m, 2h", "30s");
+}
+
+/// What is kept of a render beside its pictures.
+void addFilmOptions(CLI::App& command, RenderOptions& options) {
+    FilmOptions& film = options.film;
+    command
+        .add_option("--film", film.film,
+                    "Keep the raw film in this file, for --resume and for calotype merge")
+        ->type_name("FILE");
+    command.add_option("--resume", film.resume, "Go on with this film, and keep it there")
+        ->type_name("FILE");
+    const auto parseInterval = [](const std::string& text) {
+        return parseDuration("--checkpoint", text);
+    };
+    addParsed(command, "--checkpoint", film.checkpointSeconds, parseInterval,
+              "How often the film is kept on the way (default: 60s)", "60s");
+    addParsed(command, "--samples", options.samples, parseSamples,
+              "Render these samples of each pixel only, multiples of 16", "FIRST:END")
+        ->excludes("--spp");
+}
+
+} // namespace
+
+CLI::App& addRenderCommand(CLI::App& app, RenderOptions& options) {
+    CLI::App& command = *app.add_subcommand("render", "Render a scene to pictures");
+    addSceneOptions(command, options.scene);
+    command
+        .add_option("-o,--output", options.outputs,
+                    "Picture to write: .png (display), .exr or .pfm (linear); may be repeated")
+        ->type_name("FILE")
+        ->expected(1)
+        ->take_all();
+    addGoalOptions(command, options);
+    addParsed(command, "--size", options.size, parseSize, "Size of the picture", "WxH");
+    addParsed(command, "--crop", options.crop, parseCrop, "Render only this part", "X,Y,W,H");
+    command.add_option("--seed", options.seed, "Seed of the random numbers")->type_name("N");
+    command
+        .add_option("--max-bounces", options.maxBounces,
+                    "Scattering events along a path, at most; 0 shows emitters only")
+        ->check(CLI::Range(0u, RenderDefaults::kMostBounces))
+        ->type_name("N");
+    addDisplayOptions(command, options.display);
+    addParsed(
+        command, "--aov", options.layers, parseLayers,
+        "Layers of .exr outputs: of the first hits, albedo,normal,depth,position,primitive,uv; and "
+        "error, of each pixel's luminance",
+        "LIST");
+    addParsed(command, "--preview-every", options.previewInterval, parsePreviewInterval,
+              "Write the picture so far every N samples, or every so many seconds", "N|10s");
+    command
+        .add_option("--preview-file", options.previewFile,
+                    "Where previews go (default: the first output)")
+        ->type_name("FILE");
+    addFilmOptions(command, options);
+    addSamplerOption(command, options.sampler);
+    addBvhOption(command, options.bvh);
+    command.add_option("--stats", options.statsFile, "Write statistics as JSON")->type_name("FILE");
+    command.add_flag("-q,--quiet", options.quiet, "No progress, only warnings and errors")
+        ->multi_option_policy(CLI::MultiOptionPolicy::Throw);
+    addDeviceOptions(command, options.device,
+                     "; \"reference\": the reference tracer, in double precision on the CPU");
+    return command;
+}
+
+} // namespace calotype

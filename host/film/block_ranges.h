@@ -1,0 +1,48 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace calotype {
+
+/// Consecutive blocks of samples, from `begin` up to but not including `end`; not empty.
+struct BlockRange {
+    uint32_t begin = 0;
+    uint32_t end = 0;
+
+    auto operator<=>(const BlockRange&) const = default;
+};
+
+/// A set of blocks, as the fewest ranges, in ascending order. The same set is always the same
+/// ranges, however it came together.
+class BlockRanges {
+public:
+    BlockRanges() = default;
+
+    /// Adds blocks, none of which it may hold.
+    void add(BlockRange range);
+    void add(const BlockRanges& others);
+
+    std::span<const BlockRange> ranges() const& { return ranges_; }
+    std::span<const BlockRange> ranges() const&& = delete;
+    bool empty() const { return ranges_.empty(); }
+    uint64_t count() const;
+
+    /// Of the blocks that leave `residue` when divided by `divisor`.
+    uint64_t countOf(uint32_t residue, uint32_t divisor) const;
+
+    /// The first range of what both hold; an empty one, 0 to 0, if that is nothing.
+    BlockRange firstOverlap(const BlockRanges& others) const;
+
+    /// What of `range` is not held.
+    BlockRanges missingFrom(BlockRange range) const;
+
+    bool operator==(const BlockRanges&) const = default;
+
+private:
+    std::vector<BlockRange> ranges_;
+};
+
+} // namespace calotype

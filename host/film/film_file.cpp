@@ -1,0 +1,266 @@
+#include "film/film_file.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <cstring>
+#include <exception>
+#include <fstream>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+#include <zlib.h>
+
+#include "base/atomic_file.h"
+#include "base/check.h"
+#include "base/error.h"
+#include "base/hexadecimal.h"
+#include "base/parallel_for.h"
+#include "image/byte_order.h"
+#include "scene/content_hash.h"
+#include "scene/read_file.h"
+
+// A film's file, all numbers little-endian:
+//
+//     0   "CALOFILM"
+//     8   version of the format, 32 bits
+//     12  bytes of the description, 32 bits
+//     16  checksum of all that follows, 64 bits
+//     24  description: JSON
+//         the pixels' sums of red, green and blue, then the luminances of replica 0, 1, ...,
+//         numbers of 128 bits in chunks of 65,536: the first bytes of all its numbers, then their
+//         second ones, ...; compressed by zlib
+namespace calotype {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::string_view kMagic = "CALOFILM";
+constexpr uint32_t kVersion = 1;
+constexpr size_t kDescriptionAt = 24;
+constexpr size_t kChunkNumbers = 65536;
+constexpr size_t kNumberBytes = sizeof(FixedPoint);
+static_assert(sizeof(Film::Sum) == 3 * kNumberBytes);
+
+template <typename Number>
+void append(std::string& bytes, Number number) {
+    for (size_t i = 0; i < sizeof number; ++i)
+        bytes += static_cast<char>(number >> 8 * i);
+}
+
+uint64_t littleEndian64(std::string_view bytes, size_t at) {
+    return littleEndian32(bytes, at) | uint64_t{littleEndian32(bytes, at + 4)} << 32;
+}
+
+uint64_t checksumOf(std::string_view bytes) {
+    ContentHash hash;
+    hash.add(bytes);
+    return hash.value();
+}
+
+/// The pixels' sums as one row of numbers.
+std::span<const FixedPoint> numbersOf(const std::vector<Film::Sum>& colors) {
+    return {&colors[0].r, 3 * colors.size()};
+}
+std::span<FixedPoint> numbersOf(std::vector<Film::Sum>& colors) {
+    return {&colors[0].r, 3 * colors.size()};
+}
+
+/// Calls use(numbers) for the chunks of all numbers, in the order of the file.
+template <typename Sums, typename Use>
+void forEachChunk(Sums& sums, const Use& use) {
+    const auto cut = [&](auto numbers) {
+        for (size_t first = 0; first < numbers.size(); first += kChunkNumbers)
+            use(numbers.subspan(first, std::min(kChunkNumbers, numbers.size() - first)));
+    };
+    cut(numbersOf(sums.colors));
+    cut(std::span(sums.luminances));
+}
+
+std::string compress(std::span<const FixedPoint> numbers) {
+    std::string planes(numbers.size() * kNumberBytes, '\0');
+    for (size_t i = 0; i < numbers.size(); ++i)
+        for (size_t byte = 0; byte < kNumberBytes; ++byte)
+            planes[byte * numbers.size() + i] = static_cast<char>(numbers[i] >> 8 * byte);
+    uLongf size = compressBound(planes.size());
+    std::string compressed(size, '\0');
+    const int result =
+        compress2(reinterpret_cast<Bytef*>(compressed.data()), &size,
+                  reinterpret_cast<const Bytef*>(planes.data()), planes.size(), Z_BEST_SPEED);
+    CALOTYPE_CHECK_EQ(result, Z_OK);
+    compressed.resize(size);
+    return compressed;
+}
+
+/// False where the bytes are not those of so many numbers.
+bool decompress(std::string_view compressed, std::span<FixedPoint> numbers) {
+    std::string planes(numbers.size() * kNumberBytes, '\0');
+    uLongf size = planes.size();
+    if (uncompress(reinterpret_cast<Bytef*>(planes.data()), &size,
+                   reinterpret_cast<const Bytef*>(compressed.data()), compressed.size()) != Z_OK ||
+        size != planes.size())
+        return false;
+    for (size_t i = 0; i < numbers.size(); ++i) {
+        unsigned __int128 bits = 0;
+        for (size_t byte = 0; byte < kNumberBytes; ++byte)
+            bits |= static_cast<unsigned __int128>(
+                        static_cast<unsigned char>(planes[byte * numbers.size() + i]))
+                    << 8 * byte;
+        numbers[i] = static_cast<FixedPoint>(bits);
+    }
+    return true;
+}
+
+Json describe(const FilmLabel& label, const Film& film, const std::vector<std::string>& chunks) {
+    Json blocks = Json::array();
+    for (const BlockRange& range : film.blocks().ranges())
+        blocks.push_back({range.begin, range.end});
+    Json chunkBytes = Json::array();
+    for (const std::string& chunk : chunks)
+        chunkBytes.push_back(chunk.size());
+    const FilmLosses& losses = film.losses();
+    return {{"scene_hash", hexadecimal(label.sceneHash)},
+            {"settings", label.settings},
+            {"devices", label.devices},
+            {"width", film.width()},
+            {"height", film.height()},
+            {"unit_exponent", std::ilogb(film.unit())},
+            {"blocks", blocks},
+            {"non_finite_samples", losses.nonFiniteSamples},
+            {"cut_paths", losses.cutPaths},
+            {"non_finite_pixels", losses.nonFinitePixels},
+            {"overflowed_pixels", losses.overflowedPixels},
+            {"chunk_bytes", chunkBytes}};
+}
+
+/// Ranges as they were written; throws what ends up as "is damaged" where they are not such.
+BlockRanges readBlocks(const Json& description) {
+    BlockRanges blocks;
+    uint32_t end = 0;
+    for (const Json& range : description.at("blocks")) {
+        const BlockRange next{range.at(0).get<uint32_t>(), range.at(1).get<uint32_t>()};
+        if (next.begin < end || next.begin >= next.end || next.end > Film::kMaxBlocks)
+            throw std::out_of_range("blocks");
+        blocks.add(next);
+        end = next.end;
+    }
+    return blocks;
+}
+
+/// Throws where the description and the chunks do not fit each other.
+KeptFilm readParts(const Json& description, std::string_view compressed) {
+    const auto width = description.at("width").get<uint32_t>();
+    const auto height = description.at("height").get<uint32_t>();
+    if (width < 1 || height < 1 || width > kLargestPictureSide || height > kLargestPictureSide)
+        throw std::out_of_range("size");
+    const auto sizes = description.at("chunk_bytes").get<std::vector<uint64_t>>();
+    const size_t pixels = size_t{width} * height;
+    const auto chunksFor = [](size_t n) { return (n + kChunkNumbers - 1) / kChunkNumbers; };
+    if (sizes.size() != chunksFor(3 * pixels) + chunksFor(gpu::kReplicas * pixels))
+        throw std::out_of_range("chunks");
+    std::vector<std::string_view> chunks;
+    for (const uint64_t size : sizes) {
+        if (size > compressed.size())
+            throw std::out_of_range("chunk");
+        chunks.push_back(compressed.substr(0, size));
+        compressed.remove_prefix(size);
+    }
+    Film::Sums sums;
+    sums.blocks = readBlocks(description);
+    sums.losses = {description.at("non_finite_samples"), description.at("cut_paths"),
+                   description.at("non_finite_pixels"), description.at("overflowed_pixels")};
+    sums.colors.resize(pixels);
+    sums.luminances.resize(gpu::kReplicas * pixels);
+    std::vector<std::span<FixedPoint>> targets;
+    forEachChunk(sums, [&](std::span<FixedPoint> numbers) { targets.push_back(numbers); });
+    std::atomic<bool> isWhole = true;
+    parallelFor(0, targets.size(), allCores(), [&](uint64_t i, uint32_t) {
+        if (!decompress(chunks[i], targets[i]))
+            isWhole = false;
+    });
+    const int exponent = description.at("unit_exponent");
+    if (!isWhole || exponent < -126 || exponent > 127)
+        throw std::out_of_range("sums");
+    FilmLabel label;
+    label.sceneHash = std::stoull(description.at("scene_hash").get<std::string>(), nullptr, 16);
+    label.settings = description.at("settings");
+    label.devices = description.at("devices");
+    return {label, Film(width, height, std::ldexp(1.0, exponent), std::move(sums))};
+}
+
+} // namespace
+
+void writeFilm(const std::filesystem::path& path, const FilmLabel& label, const Film& film) {
+    std::vector<std::span<const FixedPoint>> chunks;
+    forEachChunk(film.sums(),
+                 [&](std::span<const FixedPoint> numbers) { chunks.push_back(numbers); });
+    std::vector<std::string> compressed(chunks.size());
+    parallelFor(0, chunks.size(), allCores(),
+                [&](uint64_t i, uint32_t) { compressed[i] = compress(chunks[i]); });
+    const std::string description = describe(label, film, compressed).dump();
+    std::string contents = description;
+    for (const std::string& chunk : compressed)
+        contents += chunk;
+    std::string bytes(kMagic);
+    append(bytes, kVersion);
+    append(bytes, static_cast<uint32_t>(description.size()));
+    append(bytes, checksumOf(contents));
+    writeFileAtomically(path, bytes + contents);
+}
+
+KeptFilm readFilm(const std::filesystem::path& path) {
+    const std::string name = path.string();
+    const std::string bytes = readFile(name, name);
+    const std::string_view all = bytes;
+    if (!all.starts_with(kMagic) || all.size() < kDescriptionAt)
+        throw SceneError(name, "the file is no film, or only its beginning; films are written by "
+                               "calotype render --film");
+    const uint32_t version = littleEndian32(all, kMagic.size());
+    if (version != kVersion)
+        throw SceneError(name, "the film is of format " + std::to_string(version) +
+                                   ", and this Calotype reads format " + std::to_string(kVersion));
+    const std::string_view contents = all.substr(kDescriptionAt);
+    const uint32_t descriptionBytes = littleEndian32(all, 12);
+    if (checksumOf(contents) != littleEndian64(all, 16) || descriptionBytes > contents.size())
+        throw SceneError(name, "the film is damaged: its checksum is not that of its contents");
+    try {
+        return readParts(Json::parse(contents.substr(0, descriptionBytes)),
+                         contents.substr(descriptionBytes));
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& error) { // of the JSON library, or of a number out of range
+        throw SceneError(name,
+                         std::string("the film's description makes no sense: ") + error.what());
+    }
+}
+
+bool isFilm(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::string start(kMagic.size(), '\0');
+    return file.read(start.data(), static_cast<std::streamsize>(start.size())) && start == kMagic;
+}
+
+void requireSameOrigin(const std::filesystem::path& path, const KeptFilm& film,
+                       const FilmLabel& label, double unit) {
+    const auto fail = [&](const std::string& difference) {
+        throw SceneError(path.string(), "the film cannot be joined: it is of " + difference);
+    };
+    if (film.label.sceneHash != label.sceneHash)
+        fail("another scene, or the scene's files have changed since");
+    const auto valueIn = [](const FilmLabel& owner, const std::string& name) {
+        const auto found = owner.settings.find(name);
+        return found == owner.settings.end() ? std::string("none") : found->second;
+    };
+    for (const FilmLabel* owner : {&label, &film.label})
+        for (const auto& [name, value] : owner->settings)
+            if (valueIn(film.label, name) != valueIn(label, name))
+                fail("another " + name + ": " + valueIn(film.label, name) + ", not " +
+                     valueIn(label, name));
+    if (film.film.unit() != unit)
+        fail("lights of another strength");
+}
+
+} // namespace calotype

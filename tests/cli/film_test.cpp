@@ -1,0 +1,271 @@
+// Films in files: parts of a render in any order are the render, bit for bit, and what does not go
+// together is refused.
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <filesystem>
+#include <random>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/cli_test.h"
+#include "film/film_file.h"
+
+namespace calotype::test {
+namespace {
+
+class FilmTest : public CliTest {
+protected:
+    /// Arguments of a render with these at the end.
+    std::vector<std::string> render(const std::vector<std::string>& more) const {
+        std::vector<std::string> arguments = {"render", scene_, "-q"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return arguments;
+    }
+
+    /// A film of these options, which has to come about; its path.
+    std::string film(const std::string& name, const std::vector<std::string>& more) const {
+        std::vector<std::string> arguments = render(more);
+        arguments.insert(arguments.end(), {"--film", folder_ / name});
+        const ProgramResult result = runProgram(arguments);
+        EXPECT_EQ(result.exitCode, 0) << result.errors;
+        EXPECT_EQ(result.errors, "");
+        return folder_ / name;
+    }
+
+    void expectSameFilm(const std::string& a, const std::string& b) const {
+        EXPECT_TRUE(readText(a) == readText(b)) << a << " and " << b;
+    }
+};
+
+TEST_F(FilmTest, RangesInAnyOrderAreTheWholeBitForBit) {
+    for (const char* sampler : {"independent", "sobol"}) {
+        SCOPED_TRACE(sampler);
+        const auto filmOf = [&](const std::string& name, const char* option, const char* value) {
+            return film(sampler + name, {option, value, "--sampler", sampler});
+        };
+        const std::string whole = filmOf("whole", "--spp", "192");
+        const std::vector<std::string> parts = {
+            filmOf("a", "--samples", "0:16"), filmOf("b", "--samples", "16:112"),
+            filmOf("c", "--samples", "112:128"), filmOf("d", "--samples", "128:192")};
+        const std::string merged = folder_ / "merged.film";
+        for (const std::array<size_t, 4>& order :
+             {std::array<size_t, 4>{0, 1, 2, 3}, {3, 2, 1, 0}, {1, 3, 0, 2}}) {
+            std::vector<std::string> arguments = {"merge"};
+            for (const size_t part : order)
+                arguments.push_back(parts[part]);
+            arguments.insert(arguments.end(), {"-o", merged});
+            const ProgramResult result = runProgram(arguments);
+            ASSERT_EQ(result.exitCode, 0) << result.errors;
+            expectSameFilm(merged, whole);
+        }
+        // Joins of joins.
+        EXPECT_EQ(runProgram({"merge", parts[3], parts[0], "-o", folder_ / "m1"}).exitCode, 0);
+        EXPECT_EQ(runProgram({"merge", parts[1], parts[2], "-o", folder_ / "m2"}).exitCode, 0);
+        EXPECT_EQ(runProgram({"merge", folder_ / "m1", folder_ / "m2", "-o", merged}).exitCode, 0);
+        expectSameFilm(merged, whole);
+    }
+}
+
+TEST_F(FilmTest, ResumingGoesOnToTheSameFilm) {
+    const std::string whole = film("whole", {"--spp", "96"});
+    const std::string part = film("part", {"--samples", "32:64"});
+    ProgramResult result =
+        runProgram(render({"--resume", part, "--spp", "96", "-o", folder_ / "a.pfm"}));
+    EXPECT_EQ(result.exitCode, 0) << result.errors;
+    expectSameFilm(part, whole);
+    // To another file: the one that it came from stays.
+    const std::string start = film("start", {"--spp", "16"});
+    const std::string before = readText(start);
+    result = runProgram(render({"--resume", start, "--film", folder_ / "on", "--spp", "96"}));
+    EXPECT_EQ(result.exitCode, 0) << result.errors;
+    expectSameFilm(folder_ / "on", whole);
+    EXPECT_TRUE(readText(start) == before);
+    // The picture is that of one render, as is what merge makes of the film.
+    EXPECT_EQ(runProgram(render({"--spp", "96", "-o", folder_ / "b.pfm"})).exitCode, 0);
+    EXPECT_TRUE(readText(folder_ / "a.pfm") == readText(folder_ / "b.pfm"));
+    EXPECT_EQ(runProgram({"merge", whole, "-o", folder_ / "c.pfm"}).exitCode, 0);
+    EXPECT_TRUE(readText(folder_ / "c.pfm") == readText(folder_ / "b.pfm"));
+}
+
+// Samples that fill no block show in the picture, and are rendered anew when the film goes on.
+TEST_F(FilmTest, KeepsWholeBlocksOnly) {
+    const std::string part = film("part", {"--spp", "40", "-o", folder_ / "a.pfm"});
+    EXPECT_EQ(readFilm(part).film.samplesPerPixel(), 32u);
+    EXPECT_EQ(runProgram(render({"--spp", "40", "-o", folder_ / "b.pfm"})).exitCode, 0);
+    EXPECT_TRUE(readText(folder_ / "a.pfm") == readText(folder_ / "b.pfm"));
+    EXPECT_EQ(runProgram(render({"--resume", part, "--spp", "64"})).exitCode, 0);
+    expectSameFilm(part, film("whole", {"--spp", "64"}));
+}
+
+TEST_F(FilmTest, AFullFilmIsLeftAsItIs) {
+    const std::string whole = film("whole", {"--spp", "32"});
+    const std::string before = readText(whole);
+    const ProgramResult result =
+        runProgram({"render", scene_, "--resume", whole, "--spp", "16", "-o", folder_ / "a.png"});
+    EXPECT_EQ(result.exitCode, 0) << result.errors;
+    EXPECT_NE(result.errors.find("32 of 32 samples"), std::string::npos) << result.errors;
+    EXPECT_TRUE(readText(whole) == before);
+}
+
+TEST_F(FilmTest, InfoTellsWhatItHolds) {
+    const std::string a = film("a", {"--samples", "0:32", "--seed", "5"});
+    const std::string b = film("b", {"--samples", "64:80", "--seed", "5"});
+    EXPECT_EQ(runProgram({"merge", a, b, "-o", folder_ / "both"}).exitCode, 0);
+    const ProgramResult asJson = runProgram({"info", folder_ / "both", "--json"});
+    ASSERT_EQ(asJson.exitCode, 0) << asJson.errors;
+    const auto json = nlohmann::json::parse(asJson.output);
+    EXPECT_EQ(json["spp"], 48);
+    EXPECT_EQ(json["ranges"], (nlohmann::json{{0, 32}, {64, 80}}));
+    EXPECT_EQ(json["settings"]["seed"], "5");
+    EXPECT_EQ(json["width"], 32);
+    EXPECT_GT(json["error"]["relative"], 0.0);
+    const std::string stats = folder_ / "stats.json";
+    EXPECT_EQ(
+        runProgram(render({"-o", folder_ / "a.png", "--stats", stats, "--seed", "9"})).exitCode, 0);
+    const auto statistics = nlohmann::json::parse(readText(stats));
+    EXPECT_EQ(json["scene_hash"], statistics["scene_hash"]);
+    EXPECT_EQ(json["device"].get<std::string>().find(statistics["device"].get<std::string>()), 0u);
+    const ProgramResult asText = runProgram({"info", folder_ / "both"});
+    for (const char* word : {"48 per pixel: 0:32, 64:80", "32 x 24", "sampler", "independent"})
+        EXPECT_NE(asText.output.find(word), std::string::npos) << asText.output;
+}
+
+TEST_F(FilmTest, RefusesWhatDoesNotGoTogether) {
+    const std::string a = film("a", {"--samples", "0:32"});
+    const std::string overlapping = film("b", {"--samples", "16:48"});
+    const std::string seed = film("c", {"--samples", "32:64", "--seed", "1"});
+    const std::string sampler = film("d", {"--samples", "32:64", "--sampler", "sobol"});
+    const std::string other =
+        film("e", {"--samples", "32:64", "--set", "/materials/grey/color=0.7"});
+    const std::string size = film("f", {"--samples", "32:64", "--size", "16x16"});
+    const std::string before = readText(a);
+    const auto merge = [&](const std::string& b) {
+        return runProgram({"merge", a, b, "-o", folder_ / "out"});
+    };
+    expectFailure(merge(overlapping), 3, "samples 16:32 are in a film before it too");
+    expectFailure(merge(a), 3, "samples 0:32");
+    expectFailure(merge(seed), 3, "another seed: 1, not 0");
+    expectFailure(merge(sampler), 3, "another sampler: sobol, not independent");
+    expectFailure(merge(other), 3, "another scene");
+    expectFailure(merge(size), 3, "another crop");
+    expectFailure(merge(scene_), 3, "no film");
+    expectFailure(merge(folder_ / "none"), 3, "No such file");
+    const std::string cutOff = folder_.write("cut", before.substr(0, before.size() - 9));
+    expectFailure(merge(cutOff), 3, "damaged");
+    EXPECT_EQ(std::ranges::count(folder_.names(), "out"), 0);
+    const auto resume = [&](const std::string& film, const std::vector<std::string>& more) {
+        std::vector<std::string> arguments = render(more);
+        arguments.insert(arguments.end(), {"--resume", film});
+        return runProgram(arguments);
+    };
+    expectFailure(resume(a, {"--seed", "1"}), 3, "another seed");
+    expectFailure(resume(a, {"--max-bounces", "3"}), 3, "another max_bounces: 2, not 3");
+    expectFailure(resume(a, {"--set", "/materials/grey/color=0.7"}), 3, "another scene");
+    expectFailure(resume(cutOff, {}), 3, "damaged");
+    expectFailure(resume(folder_ / "none", {}), 3, "No such file");
+    EXPECT_TRUE(readText(a) == before);
+    // What decides on no sample may differ.
+    EXPECT_EQ(resume(a, {"--set", "/render/spp=48"}).exitCode, 0);
+    EXPECT_EQ(readFilm(a).film.samplesPerPixel(), 48u);
+}
+
+TEST_F(FilmTest, MistakesAreNamed) {
+    const auto run = [&](const std::vector<std::string>& more) { return runProgram(render(more)); };
+    const std::string film = folder_ / "x.film";
+    expectFailure(run({}), 2, "--film");
+    for (const char* range : {"0:17", "8:16", "16:16", "32:16", "16", "a:b", "0:67108880"})
+        expectFailure(run({"--film", film, "--samples", range}), 2, "multiples of 16");
+    expectFailure(run({"--film", film, "--samples", "0:16", "--spp", "16"}), 2, "--spp");
+    expectFailure(run({"--film", folder_ / "x.png"}), 2, "extension of a picture");
+    expectFailure(run({"--film", scene_}), 2, "is the scene");
+    expectFailure(run({"-o", folder_ / "a.png", "--checkpoint", "5s"}), 2, "--film");
+    expectFailure(run({"--film", film, "--checkpoint", "soon"}), 2, "30s, 5m or 2h");
+    expectFailure(run({"--film", film, "--preview-every", "1"}), 2, "--preview-file");
+    expectFailure(run({"--film", folder_ / "no/such/x.film"}), 1, "folder");
+    expectFailure(runProgram({"info", scene_, "--json"}), 2, "--json is for films");
+    expectFailure(runProgram({"merge", film}), 2, "--output");
+    EXPECT_EQ(folder_.names(), std::vector<std::string>{"scene.json"});
+}
+
+TEST_F(FilmTest, ReplacingAFilmIsWarnedOf) {
+    const std::string path = film("a", {"--spp", "16"});
+    const ProgramResult result = runProgram(render({"--film", path, "--spp", "32"}));
+    EXPECT_EQ(result.exitCode, 0);
+    EXPECT_NE(result.errors.find("will be replaced; --resume goes on with it"), std::string::npos);
+    EXPECT_EQ(readFilm(path).film.samplesPerPixel(), 32u);
+}
+
+// Both signals keep the film, and the exit code says that it is not done.
+TEST_F(FilmTest, SignalsKeepTheFilm) {
+    for (const int signal : {SIGINT, SIGTERM}) {
+        const std::string path = folder_ / ("film" + std::to_string(signal));
+        ProgramOptions options;
+        bool isSent = false;
+        options.whileRunning = [&](int pid, double) {
+            // Once the film has a block; the first thing that is written holds none.
+            if (!isSent && std::filesystem::exists(path) &&
+                readFilm(path).film.samplesPerPixel() > 0)
+                isSent = kill(pid, signal) == 0;
+        };
+        const ProgramResult result = runProgram(
+            render({"--film", path, "--spp", "1000000", "--checkpoint", "0.1s"}), options);
+        EXPECT_EQ(result.exitCode, 1) << result.errors;
+        EXPECT_NE(result.errors.find("the film so far is in"), std::string::npos) << result.errors;
+        const uint64_t samples = readFilm(path).film.samplesPerPixel();
+        EXPECT_GT(samples, 0u);
+        expectSameFilm(path,
+                       film("whole" + std::to_string(signal), {"--spp", std::to_string(samples)}));
+    }
+}
+
+// Killed at any moment, of loading, of rendering, of writing, the film goes on to the same bits.
+TEST_F(FilmTest, SurvivesFiftyKills) {
+    constexpr int kKills = 50;
+    constexpr const char* kSamples = "4096";
+    const std::string whole = film("whole", {"--spp", kSamples, "--size", "64x48"});
+    const std::string path = folder_ / "killed.film";
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> delay(0.0, 0.6);
+    int kills = 0;
+    int killsWithSamples = 0;
+    uint64_t before = 0;
+    bool isDone = false;
+    for (int run = 0; run < 200 && !(isDone && kills >= kKills); ++run) {
+        if (isDone) { // too soon: once more from the start
+            expectSameFilm(path, whole);
+            std::filesystem::remove(path);
+            before = 0;
+        }
+        const double seconds = delay(random);
+        ProgramOptions options;
+        if (kills < kKills)
+            options.whileRunning = [&](int pid, double age) {
+                if (age >= seconds)
+                    kill(pid, SIGKILL);
+            };
+        const char* const option = std::filesystem::exists(path) ? "--resume" : "--film";
+        const ProgramResult result = runProgram(
+            render({option, path, "--spp", kSamples, "--size", "64x48", "--checkpoint", "0.02s"}),
+            options);
+        isDone = result.exitCode == 0;
+        if (!isDone) {
+            ASSERT_EQ(result.exitCode, 128 + SIGKILL) << result.errors;
+            ++kills;
+        }
+        if (std::filesystem::exists(path)) {
+            const uint64_t samples = readFilm(path).film.samplesPerPixel();
+            EXPECT_GE(samples, before) << "nothing that was kept is lost";
+            killsWithSamples += !isDone && samples > before ? 1 : 0;
+            before = samples;
+        }
+    }
+    EXPECT_GE(kills, kKills);
+    EXPECT_GE(killsWithSamples, kKills / 5);
+    ASSERT_TRUE(isDone);
+    expectSameFilm(path, whole);
+    RecordProperty("kills_with_samples", killsWithSamples);
+}
+
+} // namespace
+} // namespace calotype::test

@@ -1,0 +1,116 @@
+// What ends a render: an error, a time, or a number of samples.
+#include <bit>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/cli_test.h"
+
+namespace calotype::test {
+namespace {
+
+class GoalTest : public CliTest {
+protected:
+    ProgramResult render(const std::vector<std::string>& more) {
+        std::vector<std::string> arguments = {"render",          scene_,    "-o",
+                                              folder_ / "a.png", "--stats", stats_};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return runProgram(arguments);
+    }
+
+    nlohmann::json statistics() const { return nlohmann::json::parse(readText(stats_)); }
+
+    std::string stats_ = folder_ / "stats.json";
+};
+
+TEST_F(GoalTest, TargetErrorEndsAtALook) {
+    const ProgramResult result = render({"--target-error", "0.05"});
+    ASSERT_EQ(result.exitCode, 0) << result.errors;
+    const auto json = statistics();
+    EXPECT_EQ(json["ended_by"], "target-error");
+    EXPECT_LE(json["error"]["bound"], 0.05);
+    EXPECT_LT(json["error"]["relative"], json["error"]["bound"]);
+    EXPECT_EQ(json["error"]["trusted"], true);
+    EXPECT_EQ(json["error"]["replicas"], 8);
+    const auto spp = json["spp"].get<uint32_t>();
+    EXPECT_GT(spp, 4u) << "the scene's number of samples is no limit";
+    EXPECT_EQ(spp % 128, 0u);
+    EXPECT_TRUE(std::has_single_bit(spp)) << spp;
+    EXPECT_NE(result.errors.find(std::to_string(spp) + " samples per pixel"), std::string::npos);
+    EXPECT_NE(result.errors.find("error "), std::string::npos);
+    ASSERT_GT(spp, 128u);
+    ASSERT_EQ(render({"--spp", std::to_string(spp / 2)}).exitCode, 0);
+    EXPECT_GT(statistics()["error"]["bound"], 0.05) << "a look earlier it was not there";
+}
+
+TEST_F(GoalTest, TheFirstGoalThatIsReachedEnds) {
+    ASSERT_EQ(render({"--target-error", "0.5", "--spp", "4096", "--time", "60s"}).exitCode, 0);
+    EXPECT_EQ(statistics()["ended_by"], "target-error");
+    const ProgramResult samples =
+        render({"--target-error", "0.0001", "--spp", "64", "--time", "60s"});
+    ASSERT_EQ(samples.exitCode, 0) << samples.errors;
+    EXPECT_EQ(statistics()["ended_by"], "samples");
+    EXPECT_EQ(statistics()["spp"], 64);
+    EXPECT_NE(samples.errors.find("was not reached: it is"), std::string::npos) << samples.errors;
+    const ProgramResult time = render({"--target-error", "0.0001", "--time", "1.5s"});
+    ASSERT_EQ(time.exitCode, 0) << time.errors;
+    EXPECT_EQ(statistics()["ended_by"], "time");
+}
+
+TEST_F(GoalTest, TimeCountsFromTheStart) {
+    for (const char* time : {"2s", "0.04m"}) {
+        const ProgramResult result = render({"--time", time});
+        ASSERT_EQ(result.exitCode, 0) << result.errors;
+        EXPECT_GT(result.seconds, 1.9);
+        EXPECT_LT(result.seconds, 4.5);
+        EXPECT_GT(statistics()["spp"], 4);
+        EXPECT_EQ(result.errors.find(" of "), std::string::npos) << result.errors;
+    }
+    // Too short for anything but the first sample.
+    ASSERT_EQ(render({"--time", "0.001s"}).exitCode, 0);
+    EXPECT_GE(statistics()["spp"], 1);
+}
+
+TEST_F(GoalTest, AScenesFirefliesAreDoubted) {
+    const std::string scene = folder_.write("caustic.json", R"({
+      "camera": { "position": [0, 2, 5], "target": [0, 0.5, 0], "fov": 40 },
+      "film": { "width": 32, "height": 32 },
+      "render": { "max_bounces": 8 },
+      "materials": { "wall": { "type": "diffuse", "color": 0.7 },
+                     "glass": { "type": "dielectric", "ior": 1.5 } },
+      "shapes": [
+        { "type": "quad", "vertices": [[-4,0,4],[4,0,4],[4,0,-4],[-4,0,-4]], "material": "wall" },
+        { "type": "sphere", "center": [0, 1, 0], "radius": 0.6, "material": "glass" },
+        { "type": "sphere", "center": [1, 0.4, 1], "radius": 0.4, "material": "glass" }
+      ],
+      "lights": [ { "type": "disk", "center": [1, 5, 1], "normal": [0, -1, 0], "radius": 0.05,
+                    "radiance": 4000 } ]
+    })");
+    for (const char* sampler : {"independent", "sobol"}) {
+        const ProgramResult result =
+            runProgram({"render", scene, "-o", folder_ / "a.png", "--sampler", sampler, "--stats",
+                        stats_, "--spp", "512"});
+        ASSERT_EQ(result.exitCode, 0) << result.errors;
+        EXPECT_EQ(statistics()["error"]["trusted"], false);
+        EXPECT_NE(result.errors.find("not to be trusted"), std::string::npos) << result.errors;
+        const ProgramResult aimed = runProgram({"render", scene, "-o", folder_ / "a.png", "--quiet",
+                                                "--sampler", sampler, "--target-error", "0.5"});
+        EXPECT_EQ(aimed.exitCode, 0);
+        EXPECT_NE(aimed.errors.find("warning: the error of"), std::string::npos) << aimed.errors;
+    }
+}
+
+TEST_F(GoalTest, MistakesAreNamed) {
+    for (const char* target : {"0", "-0.1", "1", "2%", "nan", "x"})
+        expectFailure(render({"--target-error", target}), 2, "such as 0.02");
+    for (const char* time : {"0s", "-5s", "soon", "5d", "inf", "nan", "1e30h"})
+        expectFailure(render({"--time", time}), 2, "30s, 5m or 2h");
+    EXPECT_EQ(folder_.names(), std::vector<std::string>{"scene.json"});
+}
+
+TEST_F(GoalTest, StatsOfFewSamplesHaveNoError) {
+    ASSERT_EQ(render({"--spp", "16"}).exitCode, 0);
+    EXPECT_TRUE(statistics()["error"].is_null());
+}
+
+} // namespace
+} // namespace calotype::test

@@ -1,0 +1,190 @@
+#include "film/film_file.h"
+
+#include <cmath>
+#include <functional>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "scene/content_hash.h"
+#include "support/program.h"
+
+namespace calotype::test {
+namespace {
+
+using Block = std::vector<glm::vec4>;
+
+/// Large enough for several chunks: 90,000 pixels have 270,000 sums of colours.
+constexpr uint32_t kWidth = 300;
+constexpr uint32_t kHeight = 300;
+
+Block randomBlock(uint32_t index, size_t pixels) {
+    std::mt19937 random(index);
+    std::uniform_real_distribution<float> mantissa(-1.0f, 1.0f);
+    std::uniform_int_distribution<int> exponent(-70, 39);
+    Block block(pixels);
+    for (glm::vec4& sum : block) {
+        for (int channel = 0; channel < 3; ++channel)
+            sum[channel] = std::ldexp(mantissa(random), exponent(random));
+        sum.w = static_cast<float>(gpu::kSamplesPerBlock);
+    }
+    return block;
+}
+
+Film filmOf(uint32_t width, uint32_t height, const std::vector<uint32_t>& blocks) {
+    Film film(width, height, 0.25);
+    for (const uint32_t block : blocks)
+        film.addBlock(block, randomBlock(block, film.pixelCount()), {block, 2, 0, 0});
+    return film;
+}
+
+FilmLabel someLabel() {
+    FilmLabel label;
+    label.sceneHash = 0xfedcba9876543210;
+    label.settings = {{"seed", "7"}, {"sampler", "sobol"}};
+    label.devices = {"one", "two \"quoted\""};
+    return label;
+}
+
+std::string errorOf(const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const SceneError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+class FilmFile : public testing::Test {
+protected:
+    ScratchFolder folder_;
+    std::string path_ = folder_ / "x.film";
+};
+
+TEST_F(FilmFile, GivesBackWhatItWasGiven) {
+    for (const auto& [width, height] : {std::pair{1u, 1u}, {7u, 3u}, {kWidth, kHeight}}) {
+        const Film film = filmOf(width, height, {3, 0, 9, 8});
+        writeFilm(path_, someLabel(), film);
+        const KeptFilm kept = readFilm(path_);
+        EXPECT_TRUE(kept.film.sums() == film.sums());
+        EXPECT_EQ(kept.film.width(), width);
+        EXPECT_EQ(kept.film.height(), height);
+        EXPECT_EQ(kept.film.unit(), 0.25);
+        EXPECT_EQ(kept.label.sceneHash, someLabel().sceneHash);
+        EXPECT_EQ(kept.label.settings, someLabel().settings);
+        EXPECT_EQ(kept.label.devices, someLabel().devices);
+    }
+    EXPECT_TRUE(isFilm(path_));
+    EXPECT_EQ(folder_.names(), std::vector<std::string>{"x.film"});
+}
+
+TEST_F(FilmFile, KeepsAnEmptyFilm) {
+    writeFilm(path_, {}, Film(2, 2, 1.0));
+    EXPECT_TRUE(readFilm(path_).film.blocks().empty());
+}
+
+TEST_F(FilmFile, IsTheSameBytesInAnyOrderOfBlocks) {
+    writeFilm(path_, someLabel(), filmOf(20, 10, {0, 1, 2, 5}));
+    const std::string bytes = readText(path_);
+    writeFilm(path_, someLabel(), filmOf(20, 10, {5, 2, 0, 1}));
+    EXPECT_EQ(readText(path_), bytes);
+    Film joined = filmOf(20, 10, {5, 1});
+    joined.add(filmOf(20, 10, {0, 2}));
+    writeFilm(path_, someLabel(), joined);
+    EXPECT_EQ(readText(path_), bytes);
+}
+
+// Every byte is under the checksum, or is the checksum, the length, the version or the signature.
+TEST_F(FilmFile, RefusesAFlippedByteAnywhere) {
+    writeFilm(path_, someLabel(), filmOf(3, 2, {0, 4}));
+    const std::string bytes = readText(path_);
+    for (size_t i = 0; i < bytes.size(); ++i) {
+        std::string damaged = bytes;
+        damaged[i] = static_cast<char>(damaged[i] ^ (1 << i % 8));
+        const std::string path = folder_.write("damaged.film", damaged);
+        EXPECT_NE(errorOf([&] { readFilm(path); }), "") << "byte " << i;
+    }
+}
+
+TEST_F(FilmFile, RefusesABeginning) {
+    writeFilm(path_, someLabel(), filmOf(3, 2, {0, 4}));
+    const std::string bytes = readText(path_);
+    for (size_t size = 0; size < bytes.size(); size += size < 64 ? 1 : 37) {
+        const std::string path = folder_.write("damaged.film", bytes.substr(0, size));
+        EXPECT_NE(errorOf([&] { readFilm(path); }), "") << size;
+    }
+    const std::string longer = folder_.write("damaged.film", bytes + "x");
+    EXPECT_NE(errorOf([&] { readFilm(longer); }).find("checksum"), std::string::npos);
+}
+
+TEST_F(FilmFile, SaysWhatIsWrong) {
+    EXPECT_NE(errorOf([&] { readFilm(folder_ / "none.film"); }).find("No such file"),
+              std::string::npos);
+    const std::string text = folder_.write("a.film", "{ \"shapes\": [] }, which is no film");
+    EXPECT_NE(errorOf([&] { readFilm(text); }).find("no film"), std::string::npos);
+    EXPECT_FALSE(isFilm(text));
+    writeFilm(path_, {}, Film(1, 1, 1.0));
+    std::string bytes = readText(path_);
+    bytes[8] = 9;
+    const std::string newer = folder_.write("b.film", bytes);
+    EXPECT_NE(errorOf([&] { readFilm(newer); }).find("format 9"), std::string::npos);
+}
+
+// A description that was made up, under a checksum that is right.
+TEST_F(FilmFile, RefusesDescriptionsThatMakeNoSense) {
+    writeFilm(path_, someLabel(), filmOf(3, 2, {0, 4}));
+    for (const auto& [from, to] :
+         {std::pair<std::string, std::string>{"\"width\":3", "\"width\":9"},
+          {"\"width\":3", "\"width\":0"},
+          {"[[0,1],[4,5]]", "[[4,5],[0,1]]"},
+          {"[[0,1],[4,5]]", "[[0,1],[5,5]]"},
+          {"\"unit_exponent\":-2", "\"unit_exponent\":-999"},
+          {"\"scene_hash\":\"f", "\"scene_hash\":\"x"},
+          {"\"devices\":[", "\"devices\":7,\"d\":["}}) {
+        std::string bytes = readText(path_);
+        const size_t at = bytes.find(from);
+        ASSERT_NE(at, std::string::npos) << from;
+        bytes.replace(at, from.size(), to);
+        const auto put = [&](size_t place, uint64_t number, size_t count) {
+            for (size_t i = 0; i < count; ++i)
+                bytes[place + i] = static_cast<char>(number >> 8 * i);
+        };
+        const auto length =
+            static_cast<unsigned char>(bytes[12]) | static_cast<unsigned char>(bytes[13]) << 8;
+        put(12, length + to.size() - from.size(), 4);
+        ContentHash hash;
+        hash.add(std::string_view(bytes).substr(24));
+        put(16, hash.value(), 8);
+        const std::string path = folder_.write("odd.film", bytes);
+        EXPECT_NE(errorOf([&] { readFilm(path); }).find("makes no sense"), std::string::npos) << to;
+    }
+}
+
+TEST_F(FilmFile, TellsFilmsOfOtherOriginApart) {
+    writeFilm(path_, someLabel(), filmOf(3, 2, {0}));
+    const KeptFilm kept = readFilm(path_);
+    const auto difference = [&](const FilmLabel& label, double unit = 0.25) {
+        return errorOf([&] { requireSameOrigin(path_, kept, label, unit); });
+    };
+    FilmLabel other = someLabel();
+    other.devices = {"three"};
+    EXPECT_EQ(difference(other), "") << "films of several devices go together";
+    other.settings["seed"] = "8";
+    EXPECT_NE(difference(other).find("another seed: 7, not 8"), std::string::npos);
+    other.settings.erase("seed");
+    EXPECT_NE(difference(other).find("another seed: 7, not none"), std::string::npos);
+    other = someLabel();
+    other.settings["lens"] = "wide";
+    EXPECT_NE(difference(other).find("another lens: none, not wide"), std::string::npos);
+    other = someLabel();
+    other.sceneHash++;
+    EXPECT_NE(difference(other).find("another scene"), std::string::npos);
+    EXPECT_NE(difference(someLabel(), 0.5).find("lights of another strength"), std::string::npos);
+}
+
+} // namespace
+} // namespace calotype::test
