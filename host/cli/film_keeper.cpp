@@ -4,15 +4,20 @@
 #include <filesystem>
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 #include "base/error.h"
 
 namespace calotype {
 
-FilmLabel labelOf(uint64_t sceneHash, const RenderSettings& settings, const std::string& builder) {
+FilmLabel labelOf(const Scene& scene, const RenderSettings& settings,
+                  std::optional<BvhBuilder> builder, std::optional<TextureFilter> filter) {
     const auto text = [](auto number) { return std::to_string(number); };
+    const auto onOff = [](bool isOn) { return isOn ? "on" : "off"; };
     const Crop& crop = settings.crop;
+    const TransportSettings& transport = settings.transport;
     FilmLabel label;
-    label.sceneHash = sceneHash;
+    label.sceneHash = scene.hash;
     label.settings = {
         {"version", CALOTYPE_VERSION},
         {"size", text(settings.width) + "x" + text(settings.height)},
@@ -21,7 +26,15 @@ FilmLabel labelOf(uint64_t sceneHash, const RenderSettings& settings, const std:
         {"seed", text(settings.seed)},
         {"sampler", nameOf(settings.sampler)},
         {"max_bounces", text(settings.maxBounces)},
-        {"bvh", builder},
+        {"mis", onOff(transport.usesMis)},
+        {"roulette", onOff(transport.usesRoulette)},
+        {"clamp_indirect",
+         transport.clampsIndirect() ? nlohmann::json(transport.indirectClamp).dump() : "off"},
+        {"light_choice", nameOf(scene.lightChoice)},
+        {"texture_filter", !filter                              ? "scene"
+                           : *filter == TextureFilter::Bilinear ? "bilinear"
+                                                                : "nearest"},
+        {"bvh", builder == BvhBuilder::Median ? "median" : "sah"},
     };
     return label;
 }

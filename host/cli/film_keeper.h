@@ -8,11 +8,13 @@
 #include "film/film_file.h"
 #include "gpu/device_list.h"
 #include "render/render_settings.h"
+#include "scene/scene.h"
 
 namespace calotype {
 
-/// What a film of these settings is labelled with. `builder` names how the tree was built.
-FilmLabel labelOf(uint64_t sceneHash, const RenderSettings& settings, const std::string& builder);
+/// What a film of these settings is labelled with. `filter` is that of all textures, if not theirs.
+FilmLabel labelOf(const Scene& scene, const RenderSettings& settings,
+                  std::optional<BvhBuilder> builder, std::optional<TextureFilter> filter);
 
 /// "llvmpipe (LLVM 15.0.6, 256 bits), llvmpipe Mesa 22.3.6": as films name a device.
 std::string nameWithDriver(const DeviceInfo& device);

@@ -64,6 +64,9 @@ struct RenderOptions {
     std::optional<uint32_t> maxBounces;
     std::optional<uint32_t> seed;
     Sampler sampler = Sampler::Independent;
+    TransportSettings transport;
+    LightChoice lightChoice = LightChoice::Power;
+    std::optional<TextureFilter> textureFilter; ///< none: as each texture says
     std::optional<PictureSize> size;
     std::optional<Crop> crop;
     DisplayTransform display;

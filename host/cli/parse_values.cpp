@@ -117,6 +117,35 @@ Sampler parseSampler(const std::string& text) {
     return text == "sobol" ? Sampler::Sobol : Sampler::Independent;
 }
 
+LightChoice parseLightChoice(const std::string& text) {
+    if (text != "power" && text != "uniform")
+        fail("--light-choice", text, "power or uniform");
+    return text == "uniform" ? LightChoice::Uniform : LightChoice::Power;
+}
+
+std::optional<TextureFilter> parseTextureFilter(const std::string& text) {
+    if (text == "scene")
+        return std::nullopt;
+    if (text != "bilinear" && text != "nearest")
+        fail("--texture-filter", text, "scene, bilinear or nearest");
+    return text == "nearest" ? TextureFilter::Nearest : TextureFilter::Bilinear;
+}
+
+float parseIndirectClamp(const std::string& text) {
+    if (text == "off")
+        return TransportSettings().indirectClamp;
+    const auto limit = parseNumber<float>(text);
+    if (!limit || !(*limit > 0.0f) || !std::isfinite(*limit))
+        fail("--clamp-indirect", text, "a radiance above 0, such as 10, or off");
+    return *limit;
+}
+
+bool parseSwitch(const std::string& option, const std::string& text) {
+    if (text != "on" && text != "off")
+        fail(option, text, "on or off");
+    return text == "on";
+}
+
 ToneMap parseToneMap(const std::string& text) {
     const auto toneMap = toneMapFromName(text);
     if (!toneMap)

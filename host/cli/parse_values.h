@@ -19,7 +19,12 @@ ToneMap parseToneMap(const std::string& text);                 ///< --tonemap
 float parseExposure(const std::string& text);                  ///< --exposure "-1.5", in stops
 std::optional<BvhBuilder> parseBvh(const std::string& text);   ///< --bvh
 Sampler parseSampler(const std::string& text);                 ///< --sampler
-double parseMaxRelativeMse(const std::string& text);           ///< --max-relmse "1e-3"
+LightChoice parseLightChoice(const std::string& text);         ///< --light-choice
+std::optional<TextureFilter> parseTextureFilter(const std::string& text); ///< --texture-filter
+float parseIndirectClamp(const std::string& text);                        ///< --clamp-indirect
+/// "on" or "off". `option` is named in the message.
+bool parseSwitch(const std::string& option, const std::string& text);
+double parseMaxRelativeMse(const std::string& text); ///< --max-relmse "1e-3"
 
 LayerOptions parseLayers(const std::string& text); ///< --aov "albedo,normal,error"
 SampleRange parseSamples(const std::string& text); ///< --samples "0:64"

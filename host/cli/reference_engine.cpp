@@ -22,7 +22,8 @@ ReferenceEngine::ReferenceEngine(const DeviceOptions& options, const Scene& scen
       tracer_(timed(seconds.build,
                     [&] {
                         return reference::ReferenceTracer(
-                            scene, {settings_.width, settings_.height}, settings_.maxBounces);
+                            scene, {settings_.width, settings_.height}, settings_.maxBounces,
+                            settings_.transport);
                     })),
       block_(tracer_, settings_, threads_) {}
 

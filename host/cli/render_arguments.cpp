@@ -19,6 +19,35 @@ void addGoalOptions(CLI::App& command, RenderOptions& options) {
               "Render until so much time has passed since the start: 30s, 5m, 2h", "30s");
 }
 
+/// How light is looked for.
+void addTransportOptions(CLI::App& command, RenderOptions& options) {
+    command
+        .add_option("--max-bounces", options.maxBounces,
+                    "Scattering events along a path, at most; 0 shows emitters only")
+        ->check(CLI::Range(0u, RenderDefaults::kMostBounces))
+        ->type_name("N");
+    TransportSettings& transport = options.transport;
+    const auto parseMis = [](const std::string& text) { return parseSwitch("--mis", text); };
+    addParsed(command, "--mis", transport.usesMis, parseMis,
+              "Share light between sampling lights and sampling surfaces (on, the default), or "
+              "leave it to sampling lights (off)",
+              "on|off");
+    const auto parseRoulette = [](const std::string& text) {
+        return parseSwitch("--roulette", text);
+    };
+    addParsed(command, "--roulette", transport.usesRoulette, parseRoulette,
+              "End paths that carry little light early, by chance (on, the default)", "on|off");
+    addParsed(command, "--clamp-indirect", transport.indirectClamp, parseIndirectClamp,
+              "Most radiance of one contribution of indirect light; takes fireflies and some light "
+              "away (default: off)",
+              "X|off");
+    addParsed(command, "--light-choice", options.lightChoice, parseLightChoice,
+              "How the light is chosen that is sampled: by power (default), or each as often",
+              "power|uniform");
+    addParsed(command, "--texture-filter", options.textureFilter, parseTextureFilter,
+              "Filter of all textures (default: as the scene says)", "scene|bilinear|nearest");
+}
+
 /// What is kept of a render beside its pictures.
 void addFilmOptions(CLI::App& command, RenderOptions& options) {
     FilmOptions& film = options.film;
@@ -53,11 +82,7 @@ CLI::App& addRenderCommand(CLI::App& app, RenderOptions& options) {
     addParsed(command, "--size", options.size, parseSize, "Size of the picture", "WxH");
     addParsed(command, "--crop", options.crop, parseCrop, "Render only this part", "X,Y,W,H");
     command.add_option("--seed", options.seed, "Seed of the random numbers")->type_name("N");
-    command
-        .add_option("--max-bounces", options.maxBounces,
-                    "Scattering events along a path, at most; 0 shows emitters only")
-        ->check(CLI::Range(0u, RenderDefaults::kMostBounces))
-        ->type_name("N");
+    addTransportOptions(command, options);
     addDisplayOptions(command, options.display);
     addParsed(
         command, "--aov", options.layers, parseLayers,

@@ -63,6 +63,7 @@ RenderSettings makeSettings(const RenderOptions& options, const Scene& scene) {
     settings.maxBounces = options.maxBounces.value_or(scene.render.maxBounces);
     settings.seed = options.seed.value_or(scene.render.seed);
     settings.sampler = options.sampler;
+    settings.transport = options.transport;
     return settings;
 }
 
@@ -86,9 +87,8 @@ public:
         for (const std::string& warning : scene.warnings)
             std::fprintf(stderr, "calotype: warning: %s\n", warning.c_str());
         const RenderSettings settings = makeSettings(options_, scene);
-        const bool usesMedians = builderFor(options_) == BvhBuilder::Median;
         FilmKeeper keeper(options_.film,
-                          labelOf(scene.hash, settings, usesMedians ? "median" : "sah"));
+                          labelOf(scene, settings, builderFor(options_), options_.textureFilter));
         const bool wantsHits = !options_.layers.firstHits.empty();
         const std::unique_ptr<RenderEngine> engine = makeEngine(
             options_.device, scene,
@@ -131,6 +131,11 @@ private:
             step(progress, "loading " + what, done);
         };
         Scene scene = loadScene(options_.scene.path, loadOptions);
+        scene.lightChoice = options_.lightChoice;
+        if (options_.textureFilter)
+            for (Texture& texture : scene.textures)
+                if (auto* image = std::get_if<ImageTexture>(&texture.source))
+                    image->filter = *options_.textureFilter;
         throwIfInterrupted();
         return scene;
     }

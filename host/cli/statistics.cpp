@@ -59,6 +59,11 @@ std::string toJson(const RenderStatistics& statistics) {
     json["max_bounces"] = settings.maxBounces;
     json["seed"] = settings.seed;
     json["sampler"] = nameOf(settings.sampler);
+    const TransportSettings& transport = settings.transport;
+    json["mis"] = transport.usesMis;
+    json["roulette"] = transport.usesRoulette;
+    json["clamp_indirect"] =
+        transport.clampsIndirect() ? nlohmann::ordered_json(transport.indirectClamp) : nullptr;
     json["seconds"] = {{"load", seconds.load},
                        {"build", seconds.build},
                        {"upload", seconds.upload},

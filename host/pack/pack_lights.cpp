@@ -72,7 +72,8 @@ std::vector<gpu::Light> LightPacker::take() {
     addBackground();
     std::vector<double> powers;
     for (const NumberedLight& light : lights_)
-        powers.push_back(light.power);
+        powers.push_back(
+            scene_.lightChoice == LightChoice::Power || light.power == 0.0 ? light.power : 1.0);
     const std::vector<AliasColumn> columns = buildAliasTable(powers);
     std::vector<gpu::Light> packed;
     for (size_t i = 0; i < lights_.size(); ++i) {

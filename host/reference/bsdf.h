@@ -35,6 +35,9 @@ public:
     /// The geometric normal on the viewer's side.
     const glm::dvec3& ng() const { return ng_; }
 
+    /// Of a dielectric: index of refraction on the far side over that on the viewer's.
+    double eta() const { return eta_; }
+
     /// True where light comes from one or two certain directions only.
     bool isSpecular() const;
 

@@ -90,6 +90,9 @@ void Lights::addBackground() {
 }
 
 void Lights::buildAliasTable() {
+    if (scene_.lightChoice == LightChoice::Uniform)
+        for (double& power : powers_)
+            power = power > 0.0 ? 1.0 : 0.0;
     const double sum = std::accumulate(powers_.begin(), powers_.end(), 0.0);
     const size_t count = lights_.size();
     std::vector<double> filled(count);

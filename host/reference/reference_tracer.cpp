@@ -75,14 +75,25 @@ private:
 
     /// The share of light found at the ray's end that is this strategy's, where a light sample
     /// would have found it with the density `lightPdf`.
-    double bsdfMisWeight(double lightPdf) const {
-        return bounce_ == 0 ? 1.0 : powerHeuristic(bsdfPdf_, lightPdf);
+    double bsdfShare(double lightPdf) const {
+        const bool isOnlyStrategy = bounce_ == 0 || std::isinf(bsdfPdf_) || lightPdf == 0.0;
+        if (isOnlyStrategy)
+            return 1.0;
+        return tracer_.transport_.usesMis ? powerHeuristic(bsdfPdf_, lightPdf) : 0.0;
+    }
+
+    /// Light found after so many events, less what the clamp takes off.
+    void addLight(const glm::dvec3& found, uint32_t events) {
+        const double limit = tracer_.transport_.indirectClamp;
+        const double most = greatest(found);
+        result_.radiance += events > 1 && most > limit ? found * (limit / most) : found;
     }
 
     void addBackground() {
         if (const Light* light = tracer_.lights_.background())
-            result_.radiance += throughput_ * light->radiance *
-                                bsdfMisWeight(light->selectionProbability / (4.0 * kPi));
+            addLight(throughput_ * light->radiance *
+                         bsdfShare(light->selectionProbability / (4.0 * kPi)),
+                     bounce_);
     }
 
     void addEmitted(const Surface& surface) {
@@ -90,8 +101,9 @@ private:
         if (!light)
             return;
         const double pdf = tracer_.lights_.pdf(*light, vertex_, surface.position, surface.ng);
-        result_.radiance += throughput_ * light->emitted(surface.ng, -ray_.direction) *
-                            bsdfMisWeight(pdf * light->selectionProbability);
+        addLight(throughput_ * light->emitted(surface.ng, -ray_.direction) *
+                     bsdfShare(pdf * light->selectionProbability),
+                 bounce_);
     }
 
     bool passesThrough(const Surface& surface) const {
@@ -112,14 +124,28 @@ private:
         const Bsdf bsdf(material, tracer_.scene_.textures, surface, -ray_.direction);
         const glm::dvec3 origin = offsetFrom(surface.position + surface.toSmooth, bsdf.ng());
         if (!tracer_.lights_.empty() && !bsdf.isSpecular())
-            result_.radiance += throughput_ * directLight(surface, bsdf, origin);
+            addLight(throughput_ * directLight(surface, bsdf, origin), bounce_ + 1);
         const glm::dvec4 u = bounceNumbers(id_, bounce_, BounceDimension::Bsdf);
         const Bsdf::Sample scattered = bsdf.sample(glm::dvec3(u));
         throughput_ *= scattered.weight;
         vertex_ = scattered.crosses ? offsetFrom(surface.position, -bsdf.ng()) : origin;
         ray_ = {vertex_, glm::normalize(scattered.wi)}; // or roundings add up, bounce by bounce
         bsdfPdf_ = scattered.pdf;
+        if (scattered.crosses)
+            radianceScale_ *= bsdf.eta() * bsdf.eta();
         ++bounce_;
+        return survives(u.w);
+    }
+
+    /// Russian roulette, from the third event on, of paths that carry less than a quarter, not
+    /// counting what only the solid angle within glass changes.
+    bool survives(double u) {
+        constexpr uint32_t kFirstEvent = 3;
+        constexpr double kQuarter = 0.25;
+        if (tracer_.transport_.usesRoulette && bounce_ >= kFirstEvent) {
+            const double chance = std::min(greatest(throughput_) * radianceScale_ / kQuarter, 1.0);
+            throughput_ = u >= chance ? glm::dvec3(0.0) : throughput_ / chance;
+        }
         return greatest(throughput_) > 0.0;
     }
 
@@ -150,7 +176,8 @@ private:
         if (greatest(radiance) <= 0.0)
             return glm::dvec3(0.0);
         const double pdf = point.pdf * light.selectionProbability;
-        return radiance * (transmittance(ray, light) * powerHeuristic(pdf, scattered.pdf) / pdf);
+        const double share = tracer_.transport_.usesMis ? powerHeuristic(pdf, scattered.pdf) : 1.0;
+        return radiance * (transmittance(ray, light) * share / pdf);
     }
 
     static Ray rayTowards(const Light& light, const LightSample& point, const glm::dvec3& origin) {
@@ -206,14 +233,15 @@ private:
     glm::dvec3 vertex_{0.0}; ///< where the last event sent the ray from
     glm::dvec3 throughput_{1.0};
     uint32_t bounce_ = 0;
-    double bsdfPdf_ = 0.0; ///< with which the ray's direction was chosen, per solid angle
+    double radianceScale_ = 1.0; ///< by which crossing boundaries has divided the throughput
+    double bsdfPdf_ = 0.0;       ///< with which the ray's direction was chosen, per solid angle
     Sample result_;
 };
 
 ReferenceTracer::ReferenceTracer(const Scene& scene, const glm::uvec2& imageSize,
-                                 uint32_t maxBounces)
-    : scene_(scene), imageSize_(imageSize), maxBounces_(maxBounces), geometry_(scene),
-      lights_(scene, geometry_) {}
+                                 uint32_t maxBounces, const TransportSettings& transport)
+    : scene_(scene), imageSize_(imageSize), maxBounces_(maxBounces), transport_(transport),
+      geometry_(scene), lights_(scene, geometry_) {}
 
 const Material& ReferenceTracer::materialOf(uint32_t primitive) const {
     return scene_.materials[geometry_.materialOf(primitive)];

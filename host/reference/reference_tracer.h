@@ -27,8 +27,10 @@ public:
     };
 
     /// Keeps a reference to the scene. `imageSize` is that of the whole film.
-    ReferenceTracer(const Scene& scene, const glm::uvec2& imageSize, uint32_t maxBounces);
-    ReferenceTracer(const Scene&&, const glm::uvec2&, uint32_t) = delete;
+    ReferenceTracer(const Scene& scene, const glm::uvec2& imageSize, uint32_t maxBounces,
+                    const TransportSettings& transport = {});
+    ReferenceTracer(const Scene&&, const glm::uvec2&, uint32_t,
+                    const TransportSettings& = {}) = delete;
 
     /// Largest emitted radiance of any channel, W/(m^2 sr).
     double maxRadiance() const { return lights_.maxRadiance(); }
@@ -50,6 +52,7 @@ private:
     const Scene& scene_;
     glm::uvec2 imageSize_;
     uint32_t maxBounces_;
+    TransportSettings transport_;
     Geometry geometry_;
     Lights lights_;
 };

@@ -23,6 +23,7 @@ gpu::RenderParameters makeParameters(const GpuScene& scene, const RenderSettings
     parameters.maxBounces = settings.maxBounces;
     parameters.lightCount = scene.lightCount;
     parameters.iterationBudget = iterationBudget;
+    parameters.indirectClamp = settings.transport.indirectClamp;
     return parameters;
 }
 
@@ -62,7 +63,8 @@ PathTracer::PathTracer(const Device& device, const GpuScene& scene, const SceneB
                          .spirv = kPathTraceSpirv,
                          .bindings = withKernelBindings(buffers.bindings(), camera_, block_,
                                                         counters_, parkedPaths_),
-                         .constants = specialization(device, features, tuning, settings.sampler),
+                         .constants = specialization(device, features, tuning, settings.sampler,
+                                                     settings.transport),
                          .pushConstantBytes = sizeof(gpu::RenderParameters)}) {
     // Some drivers compile at the first dispatch: let that be one without samples.
     beginBlock(0);

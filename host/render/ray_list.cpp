@@ -58,7 +58,8 @@ std::vector<gpu::ListedRay> listRays(const Device& device, const GpuScene& scene
          .spirv = kListRaysSpirv,
          .bindings = with(buffers.bindings(), {Binding::uniformBuffer(gpu::kBindingCamera, camera),
                                                Binding::storageBuffer(gpu::kBindingRays, rays)}),
-         .constants = specialization(device, scene.features, std::nullopt, settings.sampler),
+         .constants = specialization(device, scene.features, std::nullopt, settings.sampler,
+                                     settings.transport),
          .pushConstantBytes = sizeof(gpu::RayListParameters)});
     gpu::RayListParameters parameters{};
     parameters.imageSize = {settings.width, settings.height};

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "scene/sampler.h"
+#include "scene/transport.h"
 
 namespace calotype {
 
@@ -23,6 +24,7 @@ struct RenderSettings {
     uint32_t maxBounces = 0;
     uint32_t seed = 0;
     Sampler sampler = Sampler::Independent;
+    TransportSettings transport = {};
 };
 
 } // namespace calotype

@@ -8,6 +8,7 @@
 #include "pack/scene_features.h"
 #include "render/kernel_tuning.h"
 #include "scene/sampler.h"
+#include "scene/transport.h"
 
 namespace calotype {
 
@@ -15,6 +16,7 @@ namespace calotype {
 /// tuning is that of the kind of device, unless given.
 std::vector<uint32_t> specialization(const Device& device, const SceneFeatures& features,
                                      const std::optional<KernelTuning>& tuning = std::nullopt,
-                                     Sampler sampler = Sampler::Independent);
+                                     Sampler sampler = Sampler::Independent,
+                                     const TransportSettings& transport = {});
 
 } // namespace calotype

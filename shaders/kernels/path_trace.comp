@@ -19,7 +19,8 @@ layout(constant_id = kConstantEventEighths) const uint kEventEighths = 6u;
 bool isThrough(PixelTask task) { return task.hasPath && !task.hasRay; }
 
 void main() {
-    PathLimits limits = PathLimits(parameters.maxBounces, parameters.lightCount);
+    PathLimits limits =
+        PathLimits(parameters.maxBounces, parameters.lightCount, parameters.indirectClamp);
     TileWork work = resumeTile((parameters.firstTile + gl_WorkGroupID.x) * parameters.tileStride %
                                parameters.tileCount);
     PixelTask current = resumeTask(work, 0u);
@@ -45,7 +46,7 @@ void main() {
             current.hit = traversal.hit;
             if (hasLights && current.path.isShadowed && !isUnderWay(traversal) && current.hasPath &&
                 !traversal.hit.isTransparent)
-                settleShadow(current, totals);
+                settleShadow(current, limits, totals);
             isInBudget = isInBudget && countIteration(count);
             hasRay = current.hasRay || waiting.hasRay || isUnderWay(traversal);
         } while (areEnough(hasRay, kEventEighths, atWork) && isInBudget);

@@ -71,9 +71,10 @@ PixelTask resumeTask(TileWork work, uint whichTask) {
     ParkedPath parked = parkedPaths[parkingPlace(whichTask)];
     bool isNew = parked.nextItem == 0u;
     PixelTask task;
-    task.item = isNew ? whichTask * gl_SubgroupSize + gl_SubgroupInvocationID : parked.item;
+    task.item = isNew ? whichTask * gl_SubgroupSize + gl_SubgroupInvocationID
+                      : parked.item & ~(kTaskHasPath | kTaskIsShadowed);
     loadPixel(work, task);
-    task.hasPath = !isNew && (parked.state & kTaskHasPath) != 0u;
+    task.hasPath = !isNew && (parked.item & kTaskHasPath) != 0u;
     task.path = unpark(parked, sampleIdOf(pixelOf(work, task), task));
     task.hasRay = task.hasPath;
     task.isOver = false;

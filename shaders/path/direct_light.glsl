@@ -6,6 +6,7 @@
 #include "lights/light.glsl"
 #include "path/mis.glsl"
 #include "path/visibility.glsl"
+#include "scene/transport.glsl"
 
 struct LightSample {
     Ray ray;       ///< towards the light, ending at it
@@ -56,7 +57,8 @@ DirectLight directLight(Bsdf bsdf, vec3 origin, vec4 u, uint lightCount) {
     vec3 radiance = reflection.value * arriving.radiance;
     float pdf = arriving.pdf * light.selectionProbability;
     bool isLit = pdf > 0.0 && greatest(radiance) > 0.0;
-    float weight = isLit ? misWeight(pdf, reflection.pdf) / pdf : 0.0;
+    float share = usesMis ? misWeight(pdf, reflection.pdf) : 1.0;
+    float weight = isLit ? share / pdf : 0.0;
     return DirectLight(arriving.ray, light.primitive, isLit ? radiance * weight : vec3(0.0));
 }
 

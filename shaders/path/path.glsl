@@ -7,6 +7,7 @@
 #include "path/direct_light.glsl"
 #include "scene/film_filter.glsl"
 #include "scene/sampler.glsl"
+#include "scene/transport.glsl"
 
 struct Path {
     SampleId id;
@@ -16,6 +17,7 @@ struct Path {
     vec3 radiance;   ///< found so far
     uint bounce;     ///< scattering events so far
     float bsdfPdf;   ///< density per solid angle of the path's direction, after an event
+    float etaScale;  ///< undoes what crossing into glass took off `throughput`
 
     // While `ray` looks for what stands between the surface and a light:
     bool isShadowed; ///< it does
@@ -27,27 +29,52 @@ struct Path {
 struct PathLimits {
     uint maxBounces;
     uint lightCount;
+    float indirectClamp; ///< as in RenderParameters
 };
 
 Path startPath(SampleId id, Camera camera, uvec2 imageSize) {
     vec4 u = samplerNumbers(id, kDimensionCamera);
     vec2 filmPosition = vec2(id.pixel) + sampleFilm(camera, u.xy);
     Ray ray = cameraRay(camera, filmPosition, imageSize, u.zw);
-    return Path(id, ray, ray.origin, vec3(1.0), vec3(0.0), 0u, 0.0, false, kNone, vec3(0.0),
+    return Path(id, ray, ray.origin, vec3(1.0), vec3(0.0), 0u, 0.0, 1.0, false, kNone, vec3(0.0),
                 vec3(0.0));
 }
 
 /// Weight of light found at the end of the path's ray. After a scattering event the same light
-/// could have been found by directLight, with density `lightPdf`, so the two share it.
-float bsdfMisWeight(Path path, float lightPdf) {
-    return path.bounce == 0u ? 1.0 : misWeight(path.bsdfPdf, lightPdf);
+/// could have been found by directLight, with density `lightPdf`, so the two share it, or without
+/// multiple importance sampling it is all directLight's.
+float bsdfWeight(Path path, float lightPdf) {
+    if (path.bounce == 0u)
+        return 1.0;
+    if (usesMis)
+        return misWeight(path.bsdfPdf, lightPdf);
+    return path.bsdfPdf >= kSpecularPdf || lightPdf == 0.0 ? 1.0 : 0.0;
+}
+
+/// Adds light that the path found.
+void addRadiance(inout Path path, vec3 found, PathLimits limits) {
+    if (clampsIndirect && path.bounce >= 2u) {
+        float most = greatest(found);
+        found *= most > limits.indirectClamp ? limits.indirectClamp / most : 1.0;
+    }
+    path.radiance += found;
+}
+
+/// Ends a path of little throughput by chance, and makes up for it where the path goes on (Arvo and
+/// Kirk 1990, "Particle Transport and Image Synthesis").
+void playRoulette(inout Path path, float u) {
+    if (path.bounce < kEventsBeforeRoulette)
+        return;
+    float carried = greatest(path.throughput) * path.etaScale;
+    float survival = min(carried / kRouletteThroughput, 1.0);
+    path.throughput = u >= survival ? vec3(0.0) : path.throughput / survival;
 }
 
 /// Light that comes from beyond all surfaces; the background, if there is one, is the last light.
 vec3 backgroundLight(Path path, uint lightCount) {
     Light light = loadLight(max(lightCount, 1u) - 1u);
     vec3 radiance = isBackground(light) ? light.radiance : vec3(0.0);
-    return radiance * bsdfMisWeight(path, kBackgroundPdf * light.selectionProbability);
+    return radiance * bsdfWeight(path, kBackgroundPdf * light.selectionProbability);
 }
 
 /// Light that the surface emits towards the ray's origin.
@@ -55,7 +82,7 @@ vec3 emittedLight(Path path, Interaction surface, Light light) {
     vec3 reference = hasAlpha ? path.vertex : path.ray.origin;
     float pdf = lightPdf(light, reference, surface.position, surface.ng);
     return emittedRadiance(light, surface.ng, -path.ray.direction) *
-           bsdfMisWeight(path, pdf * light.selectionProbability);
+           bsdfWeight(path, pdf * light.selectionProbability);
 }
 
 /// True where the path goes on as if the surface, which `alpha` of all light meets, were not there.
@@ -92,14 +119,18 @@ bool scatter(inout Path path, Interaction surface, Material material, PathLimits
         light = directLight(bsdf, origin, uLight, limits.lightCount);
     }
     path.arriving = path.throughput * light.radiance;
-    vec3 u = samplerNumbers(path.id, bounceDimension(path.bounce, kDimensionBsdf)).xyz;
-    BsdfSample scattered = sampleBsdf(bsdf, u);
+    vec4 u = samplerNumbers(path.id, bounceDimension(path.bounce, kDimensionBsdf));
+    BsdfSample scattered = sampleBsdf(bsdf, u.xyz);
     path.throughput *= scattered.weight;
+    if (hasDielectrics && scattered.crosses)
+        path.etaScale *= bsdf.eta * bsdf.eta;
     path.vertex =
         scattered.crosses ? offsetFromSurface(surface.position, surface.error, -bsdf.ng) : origin;
     path.direction = scattered.wi;
     path.bsdfPdf = scattered.pdf;
     path.bounce++;
+    if (usesRoulette)
+        playRoulette(path, u.w);
     bool goesOn = goOn(path);
     if (greatest(path.arriving) > 0.0) {
         path.ray = light.ray;
@@ -112,8 +143,8 @@ bool scatter(inout Path path, Interaction surface, Material material, PathLimits
 
 /// Takes in whether the ray to a light arrived, and goes on in the path's own direction. False
 /// where the path ends.
-bool reachLight(inout Path path, Hit hit) {
-    path.radiance += hit.primitive == kNone ? path.arriving : vec3(0.0);
+bool reachLight(inout Path path, Hit hit, PathLimits limits) {
+    addRadiance(path, hit.primitive == kNone ? path.arriving : vec3(0.0), limits);
     return goOn(path);
 }
 
@@ -127,10 +158,10 @@ bool passShadow(inout Path path, Interaction surface, float alpha) {
 /// Takes in what the path's ray met, if anything, and sets its next ray. False where the path ends.
 bool extendPath(inout Path path, Hit hit, PathLimits limits) {
     if (hasLights && path.isShadowed && !(hasAlpha && hit.isTransparent))
-        return reachLight(path, hit);
+        return reachLight(path, hit, limits);
     if (hit.primitive == kNone) {
         if (hasBackground)
-            path.radiance += path.throughput * backgroundLight(path, limits.lightCount);
+            addRadiance(path, path.throughput * backgroundLight(path, limits.lightCount), limits);
         return false;
     }
     Interaction surface = interactionAt(hit, path.ray);
@@ -145,7 +176,8 @@ bool extendPath(inout Path path, Hit hit, PathLimits limits) {
         return true;
     }
     if (hasLights && surface.light != kNone)
-        path.radiance += path.throughput * emittedLight(path, surface, loadLight(surface.light));
+        addRadiance(path, path.throughput * emittedLight(path, surface, loadLight(surface.light)),
+                    limits);
     if (path.bounce == limits.maxBounces)
         return false;
     return scatter(path, surface, material, limits);

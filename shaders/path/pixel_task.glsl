@@ -37,9 +37,9 @@ void endPath(inout PixelTask task, inout LaneTotals totals) {
 }
 
 /// The ray to a light is through: on with the path's own.
-void settleShadow(inout PixelTask task, inout LaneTotals totals) {
+void settleShadow(inout PixelTask task, PathLimits limits, inout LaneTotals totals) {
     totals.raysEnded++;
-    task.hasRay = reachLight(task.path, task.hit);
+    task.hasRay = reachLight(task.path, task.hit, limits);
     task.isOver = !task.hasRay;
 }
 
@@ -62,16 +62,16 @@ ParkedPath park(PixelTask task, uint nextItem) {
     Path path = task.path;
     uint state = (task.hasPath ? kTaskHasPath : 0u) | (path.isShadowed ? kTaskIsShadowed : 0u);
     return ParkedPath(path.ray.origin, path.ray.tMax, path.ray.direction, path.target, path.vertex,
-                      path.bounce, path.throughput, path.bsdfPdf, path.radiance, state,
-                      path.arriving, task.item, path.direction, nextItem);
+                      path.bounce, path.throughput, path.bsdfPdf, path.radiance, path.etaScale,
+                      path.arriving, task.item | state, path.direction, nextItem);
 }
 
 /// The path as it was put down, but for what names its random numbers.
 Path unpark(ParkedPath parked, SampleId id) {
     Ray ray = Ray(parked.rayOrigin, parked.rayTMax, parked.rayDirection);
     return Path(id, ray, parked.vertex, parked.throughput, parked.radiance, parked.bounce,
-                parked.bsdfPdf, (parked.state & kTaskIsShadowed) != 0u, parked.target,
-                parked.arriving, parked.direction);
+                parked.bsdfPdf, parked.etaScale, (parked.item & kTaskIsShadowed) != 0u,
+                parked.target, parked.arriving, parked.direction);
 }
 
 #endif

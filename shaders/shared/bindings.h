@@ -74,7 +74,12 @@ CALOTYPE_CONSTANT uint kConstantSharesStack = 36;
 /// Whether random numbers are Sobol's.
 CALOTYPE_CONSTANT uint kConstantSobol = 37;
 
-CALOTYPE_CONSTANT uint kConstantCount = 38;
+// How light is looked for along a path.
+CALOTYPE_CONSTANT uint kConstantMis = 38;
+CALOTYPE_CONSTANT uint kConstantRoulette = 39;
+CALOTYPE_CONSTANT uint kConstantClampsIndirect = 40;
+
+CALOTYPE_CONSTANT uint kConstantCount = 41;
 
 CALOTYPE_END_SHARED
 

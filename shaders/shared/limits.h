@@ -30,6 +30,11 @@ CALOTYPE_CONSTANT uint kMostNodes = 1u << 24u;
 /// Rows of the largest primitive, eight at most, are numbered by 31 bits.
 CALOTYPE_CONSTANT uint kMostPrimitives = 1u << 28u;
 
+/// Scattering events of a path before it may end by roulette, and the throughput below which it
+/// may: of the rules tried, the one that made no scene worse (README, "Speed for accuracy").
+CALOTYPE_CONSTANT uint kEventsBeforeRoulette = 3;
+CALOTYPE_CONSTANT float kRouletteThroughput = 0.25f;
+
 /// Steps of the table of the film filter's quantiles.
 CALOTYPE_CONSTANT uint kFilterSteps = 1023;
 

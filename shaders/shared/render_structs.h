@@ -21,7 +21,7 @@ struct RenderParameters {
     uint maxBounces;
     uint lightCount;
     uint iterationBudget; ///< loop iterations after which a subgroup puts its paths down
-    uint pad0;
+    float indirectClamp;  ///< most of one contribution of light scattered twice or more, W/(m^2 sr)
 };
 
 /// Sums over one dispatch, added to atomically, once per subgroup.
@@ -47,15 +47,15 @@ struct ParkedPath {
     vec3 throughput;
     float bsdfPdf;
     vec3 radiance;
-    uint state; ///< kTaskHasPath and kTaskIsShadowed
+    float etaScale;
     vec3 arriving;
-    uint item; ///< the task's pixel, in the order of the tile
+    uint item; ///< the task's pixel, in the order of the tile; kTaskHasPath, kTaskIsShadowed
     vec3 direction;
     uint nextItem; ///< the tile's next pixel; 0 where the tile is to be begun anew
 };
 
-CALOTYPE_CONSTANT uint kTaskHasPath = 1u;
-CALOTYPE_CONSTANT uint kTaskIsShadowed = 2u;
+CALOTYPE_CONSTANT uint kTaskHasPath = 0x80000000u;
+CALOTYPE_CONSTANT uint kTaskIsShadowed = 0x40000000u;
 
 /// Push constants. A dispatch finds the first hits of the pixels of a run of tiles.
 struct FirstHitParameters {

@@ -21,10 +21,12 @@ constexpr uint32_t kSeed = 7;
 /// A scene for both tracers, as a square picture. Keeps a reference to the scene.
 class Judged {
 public:
-    Judged(const Scene&&, uint32_t, Sampler = Sampler::Independent) = delete;
-    Judged(const Scene& scene, uint32_t side, Sampler sampler = Sampler::Independent)
-        : settings_(settingsOf(scene, side, sampler)),
-          reference_(scene, {side, side}, settings_.maxBounces),
+    Judged(const Scene&&, uint32_t, Sampler = Sampler::Independent,
+           const TransportSettings& = {}) = delete;
+    Judged(const Scene& scene, uint32_t side, Sampler sampler = Sampler::Independent,
+           const TransportSettings& transport = {})
+        : settings_(settingsOf(scene, side, sampler, transport)),
+          reference_(scene, {side, side}, settings_.maxBounces, transport),
           block_(reference_, settings_, kThreads), device_(scene, settings_) {}
 
     BlockTracer& reference() { return block_; }
@@ -34,9 +36,11 @@ public:
     TileMeans deviceMeans(size_t blocks) { return means(device_.tracer(), blocks); }
 
 private:
-    static RenderSettings settingsOf(const Scene& scene, uint32_t side, Sampler sampler) {
+    static RenderSettings settingsOf(const Scene& scene, uint32_t side, Sampler sampler,
+                                     const TransportSettings& transport) {
         RenderSettings settings = squareSettings(scene, side, kSeed);
         settings.sampler = sampler;
+        settings.transport = transport;
         return settings;
     }
 
@@ -122,6 +126,30 @@ TEST_F(JudgedScenesTest, PathsOfSobolsPointsAreTheSame) {
         // As of the judged scenes, none of which but normal-mapped ones differs in more.
         EXPECT_LE(differingShare(judged.device(), judged.reference()), 2e-4) << path;
     }
+}
+
+// Whatever way of looking for light: glass, which scales radiance, and paths long enough to end by
+// roulette among them.
+TEST_F(JudgedScenesTest, PathsOfEveryTransportAreTheSame) {
+    constexpr uint32_t kSide = 64;
+    TransportSettings lightsOnly;
+    lightsOnly.usesMis = false;
+    TransportSettings wholePaths;
+    wholePaths.usesRoulette = false;
+    TransportSettings clamped;
+    clamped.indirectClamp = 0.3f;
+    for (const char* path :
+         {"scenes/cornell-box.json", "scenes/dielectric.json", "scenes/background.json"})
+        for (const LightChoice choice : {LightChoice::Power, LightChoice::Uniform})
+            for (const TransportSettings& transport :
+                 {TransportSettings{}, lightsOnly, wholePaths, clamped}) {
+                Scene scene = projectScene(path);
+                scene.render.maxBounces = 24;
+                scene.lightChoice = choice;
+                Judged judged(scene, kSide, Sampler::Independent, transport);
+                // Five times as many events as in the judged scenes, as many roundings.
+                EXPECT_LE(differingShare(judged.device(), judged.reference()), 2.5e-3) << path;
+            }
 }
 
 TEST_F(JudgedScenesTest, NeedEveryFeatureTogether) {

@@ -74,7 +74,7 @@ protected:
 };
 
 constexpr const char* kSmoothScenes[] = {"scenes/cornell-box.json", "scenes/sphere.json",
-                                         "scenes/displacement.json"};
+                                         "scenes/background.json"};
 
 // 12 pictures of 512 samples: each against the mean of the others, which has an eleventh of its
 // variance.
@@ -119,7 +119,7 @@ TEST_F(ErrorBarsTest, PixelsLieWithinTheirIntervals) {
 
 // Few pixels, so that chance decides when the error seems good enough: that must not spoil it.
 TEST_F(ErrorBarsTest, PixelsLieWithinTheirIntervalsWhereTheErrorEndedTheRender) {
-    constexpr uint32_t kPictures = 40;
+    constexpr uint32_t kPictures = 32;
     constexpr uint32_t kReference = 1u << 15;
     const Scene scene = projectScene("scenes/cornell-box.json");
     for (const auto& [sampler, target] :

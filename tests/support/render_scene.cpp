@@ -14,6 +14,7 @@ RenderedScene renderScene(const Scene& scene, const RenderWish& wish) {
     settings.maxBounces = wish.maxBounces.value_or(scene.render.maxBounces);
     settings.seed = wish.seed.value_or(scene.render.seed);
     settings.sampler = wish.sampler;
+    settings.transport = wish.transport;
 
     DeviceTracer device(scene, settings, wish.features, wish.tuning);
     RenderSession session(device.tracer(), settings, device.packed().maxRadiance);

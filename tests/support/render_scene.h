@@ -25,6 +25,7 @@ struct RenderWish {
     std::optional<uint32_t> maxBounces;
     std::optional<uint32_t> seed;
     Sampler sampler = Sampler::Independent;
+    TransportSettings transport;
     std::optional<Crop> crop;
     std::optional<SceneFeatures> features; ///< else those that the scene needs
     std::optional<KernelTuning> tuning;    ///< else the device's

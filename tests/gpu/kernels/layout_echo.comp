@@ -162,7 +162,7 @@ void putParameters() {
     put(p.maxBounces);
     put(p.lightCount);
     put(p.iterationBudget);
-    put(p.pad0);
+    put(p.indirectClamp);
 }
 
 void putCounters() {
@@ -206,7 +206,7 @@ void putParkedPath() {
     put(p.throughput);
     put(p.bsdfPdf);
     put(p.radiance);
-    put(p.state);
+    put(p.etaScale);
     put(p.arriving);
     put(p.item);
     put(p.direction);

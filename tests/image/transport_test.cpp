@@ -1,0 +1,118 @@
+// Ways of looking for light: they change what a picture costs and how it is noisy, and not what it
+// tends to; but for the clamp, which takes light away.
+#include <iostream>
+
+#include "support/agreement.h"
+#include "support/chi_square.h"
+#include "support/device_tracer.h"
+#include "support/gpu_test.h"
+#include "support/render_scene.h"
+
+namespace calotype::test {
+namespace {
+
+class TransportTest : public GpuTest {
+protected:
+    static constexpr uint32_t kSide = 32;
+    static constexpr size_t kBlocks = 64;
+
+    static TileMeans means(const Scene& scene, const TransportSettings& transport, uint32_t seed) {
+        RenderSettings settings = squareSettings(scene, kSide, seed);
+        settings.transport = transport;
+        DeviceTracer device(scene, settings);
+        return renderTileMeans(device.tracer(), kSide, kSide, kBlocks);
+    }
+
+    /// From other random numbers; normal deviates stay below their limit but once in 10,000 times.
+    static void expectSamePicture(const TileMeans& a, const TileMeans& b) {
+        const Agreement agreement = compareIndependent(a, b);
+        for (int channel = 0; channel < 3; ++channel) {
+            EXPECT_LT(std::abs(agreement.wholeZ[channel]), normalLimit(3));
+            EXPECT_LT(agreement.tileChiSquare[channel], chiSquareLimit(agreement.tiles));
+        }
+        EXPECT_LT(agreement.greatestTileZ, normalLimit(3 * agreement.tiles));
+        std::cout << "|z| " << largest(glm::abs(agreement.wholeZ)) << ", of tiles "
+                  << agreement.greatestTileZ << "\n";
+    }
+
+    static double brightness(const TileMeans& means) {
+        double sum = 0.0;
+        for (size_t block = 0; block < means.blocks(); ++block)
+            sum += means.whole(block).g / static_cast<double>(means.blocks());
+        return sum;
+    }
+};
+
+constexpr const char* kScenes[] = {"scenes/cornell-box.json", "scenes/dielectric.json",
+                                   "tests/image/scenes/lanterns.json"};
+
+TEST_F(TransportTest, RouletteKeepsThePicture) {
+    TransportSettings wholePaths;
+    wholePaths.usesRoulette = false;
+    for (const char* path : kScenes) {
+        SCOPED_TRACE(path);
+        Scene scene = projectScene(path);
+        scene.render.maxBounces = 16;
+        expectSamePicture(means(scene, {}, 1), means(scene, wholePaths, 2));
+    }
+}
+
+TEST_F(TransportTest, RouletteShortensPaths) {
+    const Scene scene = projectScene("scenes/cornell-box.json");
+    RenderWish wish;
+    wish.width = wish.height = kSide;
+    wish.samplesPerPixel = 16;
+    wish.maxBounces = 32;
+    const RenderTotals with = renderScene(scene, wish).totals;
+    wish.transport.usesRoulette = false;
+    const RenderTotals without = renderScene(scene, wish).totals;
+    EXPECT_EQ(with.paths, without.paths);
+    EXPECT_LT(static_cast<double>(with.rays), 0.7 * static_cast<double>(without.rays));
+}
+
+TEST_F(TransportTest, SamplingLightsAloneKeepsThePicture) {
+    TransportSettings lightsOnly;
+    lightsOnly.usesMis = false;
+    for (const char* path :
+         {"scenes/cornell-box.json", "scenes/background.json", "scenes/dielectric.json"}) {
+        SCOPED_TRACE(path);
+        const Scene scene = projectScene(path);
+        expectSamePicture(means(scene, {}, 3), means(scene, lightsOnly, 4));
+    }
+}
+
+TEST_F(TransportTest, ChoosingLightsAlikeKeepsThePicture) {
+    for (const char* path : {"scenes/cornell-box.json", "tests/image/scenes/lanterns.json"}) {
+        SCOPED_TRACE(path);
+        Scene scene = projectScene(path);
+        const TileMeans byPower = means(scene, {}, 5);
+        scene.lightChoice = LightChoice::Uniform;
+        expectSamePicture(byPower, means(scene, {}, 6));
+    }
+}
+
+// The same random numbers: no tile gets brighter, direct light stays, and what is lost is what the
+// clamp is for.
+TEST_F(TransportTest, ClampOnlyTakesIndirectLightAway) {
+    Scene scene = projectScene("scenes/cornell-box.json");
+    const TileMeans whole = means(scene, {}, 7);
+    double least = brightness(whole);
+    for (const float clamp : {1.0f, 0.1f, 1e-6f}) {
+        TransportSettings clamped;
+        clamped.indirectClamp = clamp;
+        const TileMeans dimmed = means(scene, clamped, 7);
+        for (size_t block = 0; block < kBlocks; ++block)
+            for (size_t tile = 0; tile < dimmed.tiles(); ++tile)
+                EXPECT_LE(dimmed.at(block, tile).g, whole.at(block, tile).g * (1.0 + 1e-6));
+        EXPECT_LT(brightness(dimmed), least);
+        least = brightness(dimmed);
+        std::cout << "clamp " << clamp << ": " << 100.0 * (1.0 - least / brightness(whole))
+                  << " % darker\n";
+    }
+    scene.render.maxBounces = 1;
+    EXPECT_NEAR(least / brightness(means(scene, {}, 7)), 1.0, 1e-4)
+        << "what is left is direct light";
+}
+
+} // namespace
+} // namespace calotype::test
