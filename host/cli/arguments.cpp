@@ -48,8 +48,8 @@ void addBvhOption(CLI::App& command, std::optional<BvhBuilder>& bvh) {
 
 void addSamplerOption(CLI::App& command, Sampler& sampler) {
     addParsed(command, "--sampler", sampler, parseSampler,
-              "How random numbers are drawn: each for itself (independent, the default), or in "
-              "pairs that fill the square evenly (sobol)",
+              "How random numbers are drawn: each for itself (independent), or in pairs that fill "
+              "the square evenly (sobol, the default)",
               "independent|sobol");
 }
 

@@ -63,7 +63,7 @@ struct RenderOptions {
     std::optional<double> seconds;     ///< from the start of the program
     std::optional<uint32_t> maxBounces;
     std::optional<uint32_t> seed;
-    Sampler sampler = Sampler::Independent;
+    Sampler sampler = Sampler::Sobol;
     TransportSettings transport;
     LightChoice lightChoice = LightChoice::Power;
     std::optional<TextureFilter> textureFilter; ///< none: as each texture says
@@ -104,7 +104,7 @@ struct BenchOptions {
     std::vector<SceneOverride> overrides;
     DeviceOptions device;
     std::optional<BvhBuilder> bvh; ///< none: the quickest for all repeats together
-    Sampler sampler = Sampler::Independent;
+    Sampler sampler = Sampler::Sobol;
     uint32_t samplesPerPixel = 4; ///< of each repeat
     uint32_t repeats = 5;
     bool compilesEverything = false; ///< whatever of the kernel the scene needs

@@ -118,9 +118,10 @@ Sampler parseSampler(const std::string& text) {
 }
 
 LightChoice parseLightChoice(const std::string& text) {
-    if (text != "power" && text != "uniform")
-        fail("--light-choice", text, "power or uniform");
-    return text == "uniform" ? LightChoice::Uniform : LightChoice::Power;
+    for (const LightChoice choice : {LightChoice::Power, LightChoice::Uniform, LightChoice::All})
+        if (text == nameOf(choice))
+            return choice;
+    fail("--light-choice", text, "power, uniform or all");
 }
 
 std::optional<TextureFilter> parseTextureFilter(const std::string& text) {

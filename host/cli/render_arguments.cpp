@@ -41,9 +41,11 @@ void addTransportOptions(CLI::App& command, RenderOptions& options) {
               "Most radiance of one contribution of indirect light; takes fireflies and some light "
               "away (default: off)",
               "X|off");
-    addParsed(command, "--light-choice", options.lightChoice, parseLightChoice,
-              "How the light is chosen that is sampled: by power (default), or each as often",
-              "power|uniform");
+    addParsed(
+        command, "--light-choice", options.lightChoice, parseLightChoice,
+        "Which light is sampled at each event: one by its power (default), one at random, or, "
+        "with --device reference, all",
+        "power|uniform|all");
     addParsed(command, "--texture-filter", options.textureFilter, parseTextureFilter,
               "Filter of all textures (default: as the scene says)", "scene|bilinear|nearest");
 }

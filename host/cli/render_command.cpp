@@ -9,6 +9,7 @@
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "cli/check_outputs.h"
+#include "cli/device_session.h"
 #include "cli/exit_code.h"
 #include "cli/film_keeper.h"
 #include "cli/interrupt.h"
@@ -81,6 +82,9 @@ public:
 
     int run() {
         checkOutputs(options_);
+        if (options_.lightChoice == LightChoice::All && !isReference(options_.device))
+            throw UsageError(
+                "--light-choice all is the reference tracer's; add --device reference");
         Progress preparation(options_.quiet);
         const Scene scene = timed(seconds_.load, [&] { return load(preparation); });
         preparation.clear();

@@ -58,6 +58,9 @@ Lights::Lights(const Scene& scene, const Geometry& geometry)
         add(primitive, scene.materials[geometry.materialOf(primitive)]);
     addBackground();
     buildAliasTable();
+    if (scene.lightChoice == LightChoice::All)
+        for (Light& light : lights_)
+            light.selectionProbability = 1.0;
 }
 
 /// A lamp that is off is no light, but still hidden from the camera if it says so.

@@ -16,7 +16,7 @@ struct Light {
     std::optional<uint32_t> primitive; ///< none for the background
     glm::dvec3 radiance{0.0};
     double area = 0.0;                 ///< m^2
-    double selectionProbability = 0.0; ///< with which it is chosen
+    double selectionProbability = 0.0; ///< with which it is chosen; 1 where all are
     bool shinesFromBack = false;
     bool isHiddenFromCamera = false;
 
@@ -37,6 +37,7 @@ public:
     Lights(const Scene& scene, const Geometry& geometry);
 
     bool empty() const { return lights_.empty(); }
+    const std::vector<Light>& all() const { return lights_; }
 
     /// Of any channel, W/(m^2 sr); 0 without lights.
     double maxRadiance() const;

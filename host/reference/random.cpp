@@ -99,6 +99,11 @@ glm::dvec4 bounceNumbers(const SampleId& id, uint32_t bounce, BounceDimension di
     return numbers(id, bounceGroup(bounce, dimension));
 }
 
+glm::dvec4 lightNumbers(const SampleId& id, uint32_t bounce, uint32_t light) {
+    const Words w = hash(id, bounceGroup(bounce, BounceDimension::Light));
+    return fractions(hash({w[0], w[1], w[2], light}));
+}
+
 double alphaNumber(const SampleId& id, uint32_t bounce, uint32_t item) {
     const Words w = hash(id, bounceGroup(bounce, BounceDimension::Alpha));
     return fraction(hash({w[0], w[1], w[2], item})[0]);

@@ -32,6 +32,9 @@ glm::dvec4 cameraNumbers(const SampleId& id);
 /// Likewise for the event `bounce` of the path.
 glm::dvec4 bounceNumbers(const SampleId& id, uint32_t bounce, BounceDimension dimension);
 
+/// Four independent numbers in [0, 1) for a point on each of the lights, where all are asked.
+glm::dvec4 lightNumbers(const SampleId& id, uint32_t bounce, uint32_t light);
+
 /// One number in [0, 1), another for each `item`.
 double alphaNumber(const SampleId& id, uint32_t bounce, uint32_t item);
 

@@ -159,13 +159,26 @@ private:
         return isFlat || glm::dot(viewerSide, surface.ng) > 0.0;
     }
 
-    /// Light from one point of one light, scattered towards the viewer.
+    /// Light from one point of the light that is chosen, or of each, scattered towards the viewer.
     glm::dvec3 directLight(const Surface& surface, const Bsdf& bsdf, const glm::dvec3& origin) {
-        const glm::dvec4 u = bounceNumbers(id_, bounce_, BounceDimension::Light);
-        const Light& light = tracer_.lights_.choose(glm::dvec2(u.x, u.y));
+        if (tracer_.scene_.lightChoice != LightChoice::All) {
+            const glm::dvec4 u = bounceNumbers(id_, bounce_, BounceDimension::Light);
+            const Light& light = tracer_.lights_.choose(glm::dvec2(u.x, u.y));
+            return lightFrom(light, surface, bsdf, origin, glm::dvec2(u.z, u.w));
+        }
+        glm::dvec3 sum(0.0);
+        uint32_t number = 0;
+        for (const Light& light : tracer_.lights_.all())
+            sum += lightFrom(light, surface, bsdf, origin,
+                             glm::dvec2(lightNumbers(id_, bounce_, number++)));
+        return sum;
+    }
+
+    glm::dvec3 lightFrom(const Light& light, const Surface& surface, const Bsdf& bsdf,
+                         const glm::dvec3& origin, const glm::dvec2& u) {
         if (light.primitive == surface.primitive && isConvexTowards(surface, bsdf.ng()))
             return glm::dvec3(0.0);
-        const LightSample point = tracer_.lights_.sample(light, origin, glm::dvec2(u.z, u.w));
+        const LightSample point = tracer_.lights_.sample(light, origin, u);
         if (point.pdf <= 0.0)
             return glm::dvec3(0.0);
         const Ray ray = rayTowards(light, point, origin);

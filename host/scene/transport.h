@@ -19,15 +19,24 @@ struct TransportSettings {
     bool clampsIndirect() const { return indirectClamp < std::numeric_limits<float>::infinity(); }
 };
 
-/// How the one light is chosen that a path asks for at each event.
+/// Which light a path asks for at each event.
 enum class LightChoice : uint8_t {
-    Power,   ///< by what the lights send out
-    Uniform, ///< each as often as any other
+    Power,   ///< one, chosen by what the lights send out
+    Uniform, ///< one, each as often as any other
+    All,     ///< one after the other, as in the report; known to the reference tracer only
 };
 
 /// As users spell it.
 inline const char* nameOf(LightChoice choice) {
-    return choice == LightChoice::Uniform ? "uniform" : "power";
+    switch (choice) {
+    case LightChoice::Uniform:
+        return "uniform";
+    case LightChoice::All:
+        return "all";
+    case LightChoice::Power:
+        break;
+    }
+    return "power";
 }
 
 } // namespace calotype

@@ -127,7 +127,7 @@ TEST_F(FilmTest, InfoTellsWhatItHolds) {
     EXPECT_EQ(json["scene_hash"], statistics["scene_hash"]);
     EXPECT_EQ(json["device"].get<std::string>().find(statistics["device"].get<std::string>()), 0u);
     const ProgramResult asText = runProgram({"info", folder_ / "both"});
-    for (const char* word : {"48 per pixel: 0:32, 64:80", "32 x 24", "sampler", "independent"})
+    for (const char* word : {"48 per pixel: 0:32, 64:80", "32 x 24", "sampler", "sobol"})
         EXPECT_NE(asText.output.find(word), std::string::npos) << asText.output;
 }
 
@@ -135,7 +135,7 @@ TEST_F(FilmTest, RefusesWhatDoesNotGoTogether) {
     const std::string a = film("a", {"--samples", "0:32"});
     const std::string overlapping = film("b", {"--samples", "16:48"});
     const std::string seed = film("c", {"--samples", "32:64", "--seed", "1"});
-    const std::string sampler = film("d", {"--samples", "32:64", "--sampler", "sobol"});
+    const std::string sampler = film("d", {"--samples", "32:64", "--sampler", "independent"});
     const std::string other =
         film("e", {"--samples", "32:64", "--set", "/materials/grey/color=0.7"});
     const std::string size = film("f", {"--samples", "32:64", "--size", "16x16"});
@@ -146,7 +146,7 @@ TEST_F(FilmTest, RefusesWhatDoesNotGoTogether) {
     expectFailure(merge(overlapping), 3, "samples 16:32 are in a film before it too");
     expectFailure(merge(a), 3, "samples 0:32");
     expectFailure(merge(seed), 3, "another seed: 1, not 0");
-    expectFailure(merge(sampler), 3, "another sampler: sobol, not independent");
+    expectFailure(merge(sampler), 3, "another sampler: independent, not sobol");
     expectFailure(merge(other), 3, "another scene");
     expectFailure(merge(size), 3, "another crop");
     expectFailure(merge(scene_), 3, "no film");

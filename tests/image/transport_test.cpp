@@ -2,6 +2,8 @@
 // tends to; but for the clamp, which takes light away.
 #include <iostream>
 
+#include "reference/reference_tracer.h"
+#include "render/reference_block.h"
 #include "support/agreement.h"
 #include "support/chi_square.h"
 #include "support/device_tracer.h"
@@ -89,6 +91,22 @@ TEST_F(TransportTest, ChoosingLightsAlikeKeepsThePicture) {
         scene.lightChoice = LightChoice::Uniform;
         expectSamePicture(byPower, means(scene, {}, 6));
     }
+}
+
+// As the report does it, in the reference tracer, which the device is judged by with one light.
+TEST_F(TransportTest, AskingAllLightsKeepsThePicture) {
+    constexpr uint32_t kSmall = 16;
+    Scene scene = projectScene("tests/image/scenes/lanterns.json");
+    const RenderSettings settings = squareSettings(scene, kSmall, 8);
+    const auto referenceMeans = [&] {
+        const reference::ReferenceTracer tracer(scene, {kSmall, kSmall}, settings.maxBounces);
+        ReferenceBlock block(tracer, settings, 2);
+        return renderTileMeans(block, kSmall, kSmall, kBlocks);
+    };
+    scene.lightChoice = LightChoice::All;
+    const TileMeans all = referenceMeans();
+    DeviceTracer device(scene, squareSettings(scene, kSmall, 9));
+    expectSamePicture(all, renderTileMeans(device.tracer(), kSmall, kSmall, kBlocks));
 }
 
 // The same random numbers: no tile gets brighter, direct light stays, and what is lost is what the
