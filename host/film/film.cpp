@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/check.h"
-#include "film/luminance.h"
+#include "math/luminance.h"
 
 namespace calotype {
 namespace {

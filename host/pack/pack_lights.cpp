@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "math/luminance.h"
 #include "pack/alias_table.h"
 #include "pack/pack_material.h"
 #include "scene/scene_bounds.h"
@@ -12,8 +13,6 @@
 
 namespace calotype {
 namespace {
-
-double luminance(const glm::dvec3& rgb) { return 0.2126 * rgb.x + 0.7152 * rgb.y + 0.0722 * rgb.z; }
 
 double maxComponent(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
 

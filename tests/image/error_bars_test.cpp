@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "film/error_estimate.h"
-#include "film/luminance.h"
+#include "math/luminance.h"
 #include "support/gpu_test.h"
 #include "support/render_scene.h"
 

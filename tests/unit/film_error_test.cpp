@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "film/luminance.h"
+#include "math/luminance.h"
 
 namespace calotype::test {
 namespace {
