@@ -17,8 +17,11 @@ bool isExr(const std::string& path) { return imageFormatOf(path) == ImageFormat:
 
 void checkOutputs(const RenderOptions& options) {
     std::set<std::filesystem::path> taken = {std::filesystem::weakly_canonical(options.scene.path)};
+    std::error_code ignored; // a path that cannot be resolved cannot be written either
+    const FilmOptions& film = options.film;
+    if (!film.film.empty() && film.resume != film.film) // else it is claimed below, to be written
+        taken.insert(std::filesystem::weakly_canonical(film.resume, ignored));
     const auto claim = [&](const std::string& path) {
-        std::error_code ignored; // a path that cannot be resolved cannot be written either
         if (!taken.insert(std::filesystem::weakly_canonical(path, ignored)).second)
             throw UsageError("'" + path + "' is the scene, or is given twice");
         checkWritable(path);
@@ -29,7 +32,6 @@ void checkOutputs(const RenderOptions& options) {
                              std::string(kImageExtensions));
         claim(path);
     };
-    const FilmOptions& film = options.film;
     const bool keepsFilm = !film.film.empty() || !film.resume.empty();
     if (options.outputs.empty() && !keepsFilm)
         throw UsageError(
@@ -45,6 +47,9 @@ void checkOutputs(const RenderOptions& options) {
         if (imageFormatOf(path))
             throw UsageError("the film '" + path +
                              "' has the extension of a picture; name it otherwise, such as x.film");
+        if (std::filesystem::exists(path, ignored) &&
+            !std::filesystem::is_regular_file(path, ignored))
+            throw UsageError("the film '" + path + "' is no file that can be read again");
         claim(path);
     };
     if (keepsFilm)

@@ -41,7 +41,7 @@ FilmLabel labelOf(const Scene& scene, const RenderSettings& settings,
 
 std::string nameWithDriver(const DeviceInfo& device) { return device.name + ", " + device.driver; }
 
-FilmKeeper::FilmKeeper(const FilmOptions& options, FilmLabel label)
+FilmKeeper::FilmKeeper(const FilmOptions& options, FilmLabel label, const Crop& crop)
     : options_(options), path_(options.film.empty() ? options.resume : options.film),
       label_(std::move(label)) {
     if (options.resume.empty()) {
@@ -53,7 +53,8 @@ FilmKeeper::FilmKeeper(const FilmOptions& options, FilmLabel label)
         return;
     }
     resumed_ = readFilm(options.resume);
-    requireSameOrigin(options.resume, *resumed_, label_, resumed_->film.unit());
+    requireSameOrigin(options.resume, *resumed_, label_, crop.width, crop.height,
+                      resumed_->film.unit());
     label_.devices = resumed_->label.devices;
 }
 
@@ -61,13 +62,14 @@ Film FilmKeeper::begin(const RenderSettings& settings, double maxRadiance,
                        const DeviceInfo& device) {
     const double unit = filmUnit(maxRadiance);
     if (resumed_)
-        requireSameOrigin(options_.resume, *resumed_, label_, unit);
+        requireSameOrigin(options_.resume, *resumed_, label_, settings.crop.width,
+                          settings.crop.height, unit);
     Film film = resumed_ ? std::move(resumed_->film)
                          : Film(settings.crop.width, settings.crop.height, unit);
     resumed_.reset();
     device_ = nameWithDriver(device);
     blocksBefore_ = film.blocks().count();
-    if (isWanted() && !std::filesystem::exists(path_))
+    if (isWanted() && !isFilm(path_))
         save(film);
     lastSave_ = Clock::now();
     return film;

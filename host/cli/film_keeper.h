@@ -24,7 +24,7 @@ class FilmKeeper {
 public:
     /// Reads the film to go on with, if one is wanted. Throws SceneError where it is damaged or
     /// does not fit the label.
-    FilmKeeper(const FilmOptions& options, FilmLabel label);
+    FilmKeeper(const FilmOptions& options, FilmLabel label, const Crop& crop);
 
     /// Whether a film is to be kept at all.
     bool isWanted() const { return !path_.empty(); }

@@ -14,7 +14,8 @@ namespace {
 /// Adds a film to those joined so far. Throws SceneError where it does not go with them.
 void join(KeptFilm& joined, const std::string& path) {
     const KeptFilm next = readFilm(path);
-    requireSameOrigin(path, next, joined.label, joined.film.unit());
+    requireSameOrigin(path, next, joined.label, joined.film.width(), joined.film.height(),
+                      joined.film.unit());
     if (const BlockRange both = joined.film.blocks().firstOverlap(next.film.blocks()); both.end > 0)
         throw SceneError(path, "the film cannot be joined: the samples " +
                                    std::to_string(both.begin * gpu::kSamplesPerBlock) + ":" +

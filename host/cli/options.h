@@ -59,7 +59,7 @@ struct RenderOptions {
     FilmOptions film;
     std::optional<uint32_t> samplesPerPixel;
     std::optional<SampleRange> samples;
-    std::optional<double> targetError; ///< ErrorEstimate::relative
+    std::optional<double> targetError; ///< the most that ErrorEstimate::upperBound may be
     std::optional<double> seconds;     ///< from the start of the program
     std::optional<uint32_t> maxBounces;
     std::optional<uint32_t> seed;

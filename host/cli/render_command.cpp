@@ -92,7 +92,8 @@ public:
             std::fprintf(stderr, "calotype: warning: %s\n", warning.c_str());
         const RenderSettings settings = makeSettings(options_, scene);
         FilmKeeper keeper(options_.film,
-                          labelOf(scene, settings, builderFor(options_), options_.textureFilter));
+                          labelOf(scene, settings, builderFor(options_), options_.textureFilter),
+                          settings.crop);
         const bool wantsHits = !options_.layers.firstHits.empty();
         const std::unique_ptr<RenderEngine> engine = makeEngine(
             options_.device, scene,

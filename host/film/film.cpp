@@ -103,11 +103,12 @@ Image Film::picture(std::span<const glm::vec4> partialBlock) const {
     if (!partialBlock.empty())
         CALOTYPE_CHECK_EQ(partialBlock.size(), pixelCount());
     Image image(width_, height_);
+    const auto samplesOfFilm = static_cast<double>(samplesPerPixel());
     for (size_t i = 0; i < pixelCount(); ++i) {
         const Sum& color = sums_.colors[i];
         glm::dvec3 sum(fromFixedPoint(color.r), fromFixedPoint(color.g), fromFixedPoint(color.b));
         sum *= unit_;
-        auto samples = static_cast<double>(samplesPerPixel());
+        double samples = samplesOfFilm;
         if (!partialBlock.empty()) {
             const glm::vec4& partial = partialBlock[i];
             CALOTYPE_CHECK_LE(0.0f, partial.w);

@@ -168,6 +168,13 @@ KeptFilm readParts(const Json& description, std::string_view compressed) {
         chunks.push_back(compressed.substr(0, size));
         compressed.remove_prefix(size);
     }
+    // zlib makes at most 1032 bytes of one: a film that is said to be larger only costs memory.
+    constexpr size_t kMostPerByte = 1032;
+    size_t given = 0;
+    for (const uint64_t size : sizes)
+        given += size;
+    if ((3 + gpu::kReplicas) * pixels * kNumberBytes > kMostPerByte * given || !compressed.empty())
+        throw std::out_of_range("chunks");
     Film::Sums sums;
     sums.blocks = readBlocks(description);
     sums.losses = {description.at("non_finite_samples"), description.at("cut_paths"),
@@ -238,13 +245,16 @@ KeptFilm readFilm(const std::filesystem::path& path) {
 }
 
 bool isFilm(const std::filesystem::path& path) {
+    std::error_code unknown;
+    if (!std::filesystem::is_regular_file(path, unknown)) // reading from a pipe may never end
+        return false;
     std::ifstream file(path, std::ios::binary);
     std::string start(kMagic.size(), '\0');
     return file.read(start.data(), static_cast<std::streamsize>(start.size())) && start == kMagic;
 }
 
 void requireSameOrigin(const std::filesystem::path& path, const KeptFilm& film,
-                       const FilmLabel& label, double unit) {
+                       const FilmLabel& label, uint32_t width, uint32_t height, double unit) {
     const auto fail = [&](const std::string& difference) {
         throw SceneError(path.string(), "the film cannot be joined: it is of " + difference);
     };
@@ -261,6 +271,8 @@ void requireSameOrigin(const std::filesystem::path& path, const KeptFilm& film,
                      valueIn(label, name));
     if (film.film.unit() != unit)
         fail("lights of another strength");
+    if (film.film.width() != width || film.film.height() != height)
+        fail("another size");
 }
 
 } // namespace calotype

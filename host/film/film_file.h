@@ -35,9 +35,10 @@ KeptFilm readFilm(const std::filesystem::path& path);
 /// Whether the file begins as a film does.
 bool isFilm(const std::filesystem::path& path);
 
-/// Throws SceneError at the path of `film` where it is of another scene, of other settings, or in
-/// another unit than what it is to join: the message says in what they differ.
+/// Throws SceneError at the path of `film` where it is of another scene, of other settings, of
+/// another size in pixels, or in another unit than what it is to join: the message says in what
+/// they differ.
 void requireSameOrigin(const std::filesystem::path& path, const KeptFilm& film,
-                       const FilmLabel& label, double unit);
+                       const FilmLabel& label, uint32_t width, uint32_t height, double unit);
 
 } // namespace calotype

@@ -190,6 +190,31 @@ TEST_F(FilmTest, MistakesAreNamed) {
     EXPECT_EQ(folder_.names(), std::vector<std::string>{"scene.json"});
 }
 
+// What is read is not written over by another output, and pipes are no films.
+TEST_F(FilmTest, TheResumedFilmIsNoOutput) {
+    const std::string path = film("a", {"--spp", "16"});
+    const std::string before = readText(path);
+    const std::string other = folder_ / "b";
+    expectFailure(runProgram(render({"--resume", path, "--film", other, "--stats", path})), 2,
+                  "given twice");
+    expectFailure(runProgram(render({"--resume", path, "--film", "/dev/null"})), 2, "no file");
+    EXPECT_TRUE(readText(path) == before);
+}
+
+// mktemp makes such files: they are replaced at the start, so that a kill leaves a film.
+TEST_F(FilmTest, AnEmptyFileBecomesAFilmAtOnce) {
+    const std::string path = folder_.write("x.film", "");
+    ProgramOptions options;
+    options.whileRunning = [&](int pid, double) {
+        if (isFilm(path))
+            kill(pid, SIGKILL);
+    };
+    const ProgramResult result =
+        runProgram(render({"--film", path, "--spp", "1000000", "--checkpoint", "1h"}), options);
+    EXPECT_EQ(result.exitCode, 128 + SIGKILL);
+    EXPECT_TRUE(readFilm(path).film.blocks().empty());
+}
+
 TEST_F(FilmTest, ReplacingAFilmIsWarnedOf) {
     const std::string path = film("a", {"--spp", "16"});
     const ProgramResult result = runProgram(render({"--film", path, "--spp", "32"}));

@@ -168,7 +168,7 @@ TEST_F(FilmFile, TellsFilmsOfOtherOriginApart) {
     writeFilm(path_, someLabel(), filmOf(3, 2, {0}));
     const KeptFilm kept = readFilm(path_);
     const auto difference = [&](const FilmLabel& label, double unit = 0.25) {
-        return errorOf([&] { requireSameOrigin(path_, kept, label, unit); });
+        return errorOf([&] { requireSameOrigin(path_, kept, label, 3, 2, unit); });
     };
     FilmLabel other = someLabel();
     other.devices = {"three"};
@@ -183,6 +183,10 @@ TEST_F(FilmFile, TellsFilmsOfOtherOriginApart) {
     other = someLabel();
     other.sceneHash++;
     EXPECT_NE(difference(other).find("another scene"), std::string::npos);
+    EXPECT_NE(errorOf([&] {
+                  requireSameOrigin(path_, kept, someLabel(), 2, 3, 0.25);
+              }).find("another size"),
+              std::string::npos);
     EXPECT_NE(difference(someLabel(), 0.5).find("lights of another strength"), std::string::npos);
 }
 
