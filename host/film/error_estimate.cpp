@@ -22,7 +22,7 @@ constexpr std::array<double, kReplicas - 1> kStudentInterval = {12.706, 4.303, 3
 constexpr double kSharedQuantile = 2.807;
 
 /// From 512 samples on, the doubt is below 1.13 in the project's scenes, whose estimates are right
-/// to a tenth, and above 9 where glass balls gather the light of a small lamp.
+/// to a tenth, and mostly above 9 where glass balls gather the light of a small lamp.
 constexpr double kMostDoubt = 1.4;
 
 /// A spread below this share of the luminance is the rounding of float sums, not noise.
