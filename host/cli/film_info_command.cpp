@@ -54,7 +54,7 @@ void print(const KeptFilm& kept) {
     std::printf("\n");
     if (const auto error = estimateError(film))
         std::printf("error       %s%s\n", percentText(error->relative).c_str(),
-                    error->isTrusted() ? "" : ", not to be trusted");
+                    error->doubt && !error->isTrusted() ? ", not to be trusted" : "");
     std::printf("scene       %s\n", hexadecimal(kept.label.sceneHash).c_str());
     std::printf("device      %s\n", devicesOf(kept.label).c_str());
     for (const auto& [name, value] : kept.label.settings)

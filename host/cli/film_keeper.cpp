@@ -1,7 +1,6 @@
 #include "cli/film_keeper.h"
 
 #include <cstdio>
-#include <filesystem>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -45,7 +44,7 @@ FilmKeeper::FilmKeeper(const FilmOptions& options, FilmLabel label, const Crop& 
     : options_(options), path_(options.film.empty() ? options.resume : options.film),
       label_(std::move(label)) {
     if (options.resume.empty()) {
-        if (isWanted() && std::filesystem::exists(path_) && isFilm(path_))
+        if (isWanted() && isFilm(path_))
             std::fprintf(stderr,
                          "calotype: warning: '%s' is a film already and will be replaced; --resume "
                          "goes on with it\n",

@@ -30,7 +30,7 @@ public:
     bool isWanted() const { return !path_.empty(); }
     const std::string& path() const { return path_; }
 
-    /// The film to go on with, or an empty one of this size. Where there is no file yet, it is
+    /// The film to go on with, or an empty one of this size. Where there is no film yet, it is
     /// written, so that there is a film at whatever moment the program is killed. Throws SceneError
     /// where a film was of lights of another strength, and OutputError.
     Film begin(const RenderSettings& settings, double maxRadiance, const DeviceInfo& device);

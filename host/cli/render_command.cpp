@@ -111,7 +111,7 @@ public:
         const double prepared = secondsSince(start_);
         const RenderPlan plan = planFor(session);
         const RenderEnding ending = render(session, plan, keeper, writer);
-        session.error();
+        session.error(); // of the film as it ended, for the totals
         const RenderTotals& totals = session.totals();
         seconds_.render = totals.seconds;
         seconds_.firstSample = prepared + totals.firstSampleSeconds;
