@@ -1,6 +1,7 @@
 #include "cli/parse_values.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -56,6 +57,21 @@ FirstHitLayer parseLayer(std::string_view name) {
     return static_cast<FirstHitLayer>(found - kFirstHitLayerNames.begin());
 }
 
+/// "30s", "1.5m", "2h" or a number of seconds; nothing unless above 0 and below thirty years.
+std::optional<double> secondsIn(std::string_view text) {
+    constexpr std::pair<char, double> kUnits[] = {{'s', 1.0}, {'m', 60.0}, {'h', 3600.0}};
+    constexpr double kLongest = 1e9;
+    double unit = 1.0;
+    for (const auto& [letter, seconds] : kUnits)
+        if (text.ends_with(letter)) {
+            text.remove_suffix(1);
+            unit = seconds;
+            break;
+        }
+    const double seconds = parseNumber<double>(text).value_or(0.0) * unit;
+    return seconds > 0.0 && seconds <= kLongest ? std::optional(seconds) : std::nullopt;
+}
+
 [[noreturn]] void fail(const std::string& option, const std::string& text,
                        const std::string& expected) {
     throw UsageError(option + " '" + text + "' is not " + expected);
@@ -80,13 +96,13 @@ Crop parseCrop(const std::string& text) {
 }
 
 PreviewInterval parsePreviewInterval(const std::string& text) {
-    if (text.ends_with('s')) {
-        const auto seconds = parseNumber<double>(std::string_view(text).substr(0, text.size() - 1));
-        if (seconds && *seconds > 0.0 && std::isfinite(*seconds))
-            return {0, *seconds};
-    } else if (const auto samples = parseNumber<uint32_t>(text); samples && *samples > 0) {
+    const auto samples = parseNumber<uint32_t>(text);
+    if (samples && *samples > 0)
         return {*samples, 0.0};
-    }
+    const bool hasUnit =
+        !text.empty() && std::isalpha(static_cast<unsigned char>(text.back())) != 0;
+    if (const auto seconds = secondsIn(text); hasUnit && seconds)
+        return {0, *seconds};
     fail("--preview-every", text, "a number of samples such as 16, or of seconds such as 10s");
 }
 
@@ -202,21 +218,10 @@ double parseTargetError(const std::string& text) {
 }
 
 double parseDuration(const std::string& option, const std::string& text) {
-    constexpr std::pair<char, double> kUnits[] = {{'s', 1.0}, {'m', 60.0}, {'h', 3600.0}};
-    std::string_view number = text;
-    double unit = 1.0;
-    for (const auto& [letter, seconds] : kUnits)
-        if (number.ends_with(letter)) {
-            number.remove_suffix(1);
-            unit = seconds;
-            break;
-        }
-    const auto value = parseNumber<double>(number);
-    const double seconds = value.value_or(0.0) * unit;
-    constexpr double kLongest = 1e9; // thirty years
-    if (!(seconds > 0.0) || !(seconds <= kLongest))
+    const auto seconds = secondsIn(text);
+    if (!seconds)
         fail(option, text, "a time above 0, such as 30s, 5m or 2h");
-    return seconds;
+    return *seconds;
 }
 
 double parseMaxRelativeMse(const std::string& text) {
