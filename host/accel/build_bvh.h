@@ -10,6 +10,11 @@ enum class BvhBuilder : uint8_t {
     Sah,    ///< by the surface area heuristic; quick to traverse
 };
 
+/// "median" or "sah", as --bvh takes it.
+constexpr const char* nameOf(BvhBuilder builder) {
+    return builder == BvhBuilder::Median ? "median" : "sah";
+}
+
 /// The builder that gives the picture of `paths` paths soonest.
 BvhBuilder quickestBuilder(size_t primitives, uint64_t paths);
 

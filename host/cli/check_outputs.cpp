@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <set>
 
-#include "base/atomic_file.h"
 #include "base/error.h"
+#include "cli/output_claims.h"
 #include "image/image_format.h"
 
 namespace calotype {
@@ -13,56 +12,59 @@ namespace {
 
 bool isExr(const std::string& path) { return imageFormatOf(path) == ImageFormat::Exr; }
 
+void requireExrFor(const LayerOptions& layers, const std::vector<std::string>& outputs) {
+    const bool wantsLayers = layers.errors || !layers.firstHits.empty();
+    if (wantsLayers && std::ranges::none_of(outputs, isExr))
+        throw UsageError("--aov writes layers of EXR files, and no output is one; add -o FILE.exr");
+}
+
 } // namespace
 
 void checkOutputs(const RenderOptions& options) {
-    std::set<std::filesystem::path> taken = {std::filesystem::weakly_canonical(options.scene.path)};
-    std::error_code ignored; // a path that cannot be resolved cannot be written either
+    OutputClaims claims;
+    claims.reserve(options.scene.path);
     const FilmOptions& film = options.film;
     if (!film.film.empty() && film.resume != film.film) // else it is claimed below, to be written
-        taken.insert(std::filesystem::weakly_canonical(film.resume, ignored));
-    const auto claim = [&](const std::string& path) {
-        if (!taken.insert(std::filesystem::weakly_canonical(path, ignored)).second)
-            throw UsageError("'" + path + "' is the scene, or is given twice");
-        checkWritable(path);
-    };
-    const auto claimPicture = [&](const std::string& path) {
-        if (!imageFormatOf(path))
-            throw UsageError("the picture '" + path + "' has no known extension; use " +
-                             std::string(kImageExtensions));
-        claim(path);
-    };
+        claims.reserve(film.resume);
     const bool keepsFilm = !film.film.empty() || !film.resume.empty();
     if (options.outputs.empty() && !keepsFilm)
         throw UsageError(
             "there is nothing to write; name a picture with -o, or a film with --film");
     for (const std::string& path : options.outputs)
-        claimPicture(path);
-    const bool wantsLayers = options.layers.errors || !options.layers.firstHits.empty();
-    if (wantsLayers && std::ranges::none_of(options.outputs, isExr))
-        throw UsageError("--aov writes layers of EXR files, and no output is one; add -o FILE.exr");
+        claims.claimPicture(path);
+    requireExrFor(options.layers, options.outputs);
     if (film.checkpointSeconds && !keepsFilm)
         throw UsageError("--checkpoint is how often a film is kept, and none is; add --film FILE");
-    const auto claimFilm = [&](const std::string& path) {
-        if (imageFormatOf(path))
-            throw UsageError("the film '" + path +
-                             "' has the extension of a picture; name it otherwise, such as x.film");
-        if (std::filesystem::exists(path, ignored) &&
-            !std::filesystem::is_regular_file(path, ignored))
-            throw UsageError("the film '" + path + "' is no file that can be read again");
-        claim(path);
-    };
     if (keepsFilm)
-        claimFilm(film.film.empty() ? film.resume : film.film);
+        claims.claimFilm(film.film.empty() ? film.resume : film.film);
     if (!options.statsFile.empty())
-        claim(options.statsFile);
+        claims.claim(options.statsFile);
     const PreviewInterval& preview = options.previewInterval;
     if (options.outputs.empty() && options.previewFile.empty() &&
         (preview.samples > 0 || preview.seconds > 0.0))
         throw UsageError("--preview-every has no picture to write; name one with --preview-file");
     if (!options.previewFile.empty() &&
         (options.outputs.empty() || options.previewFile != options.outputs.front()))
-        claimPicture(options.previewFile);
+        claims.claimPicture(options.previewFile);
+}
+
+void checkOutputs(const MergeOptions& options) {
+    OutputClaims claims;
+    for (const std::string& path : options.outputs) {
+        if (imageFormatOf(path))
+            claims.claimPicture(path);
+        else if (const auto extension = std::filesystem::path(path).extension();
+                 extension.empty() || extension == ".film")
+            claims.claimFilm(path);
+        else
+            throw UsageError("'" + path +
+                             "' is neither a film (.film, or no extension) nor a "
+                             "picture (" +
+                             std::string(kImageExtensions) + ")");
+    }
+    requireExrFor(options.layers, options.outputs);
+    if (!options.layers.firstHits.empty())
+        throw UsageError("films hold no first hits; of the layers of --aov, merge writes 'error'");
 }
 
 } // namespace calotype

@@ -8,5 +8,6 @@ namespace calotype {
 /// UsageError where outputs are of no known format, given twice or lack what is asked of them, and
 /// OutputError where a file could not be written.
 void checkOutputs(const RenderOptions& options);
+void checkOutputs(const MergeOptions& options);
 
 } // namespace calotype

@@ -7,15 +7,16 @@
 namespace calotype {
 namespace {
 
-GpuScene build(const Scene& scene, const EngineRequest& request) {
+/// Sets `builder` to the one it took.
+GpuScene build(const Scene& scene, const EngineRequest& request, BvhBuilder& builder) {
     const glm::dvec3 origin = packingOrigin(scene);
     const std::vector<Primitive> primitives = collectPrimitives(scene, origin);
     BuildOptions options;
     options.onProgress = [&](double done) { request.onProgress("building the BVH", done); };
     const Crop& crop = request.settings.crop;
     const uint64_t paths = uint64_t{crop.width} * crop.height * request.settings.samplesPerPixel;
-    const Bvh bvh = buildBvh(
-        primitives, request.bvh.value_or(quickestBuilder(primitives.size(), paths)), options);
+    builder = request.bvh.value_or(quickestBuilder(primitives.size(), paths));
+    const Bvh bvh = buildBvh(primitives, builder, options);
     const bool all = request.compilesEverything;
     GpuScene packed =
         packScene(scene, primitives, bvh, origin,
@@ -39,7 +40,7 @@ uint64_t requiredBytes(const Device& device, const GpuScene& packed, const Engin
 DeviceEngine::DeviceEngine(const DeviceOptions& options, const Scene& scene,
                            const EngineRequest& request, StageSeconds& seconds)
     : settings_(request.settings), session_(options),
-      packed_(timed(seconds.build, [&] { return build(scene, request); })),
+      packed_(timed(seconds.build, [&] { return build(scene, request, builder_); })),
       deviceBytes_(requiredBytes(session_.device(), packed_, request)),
       buffers_(timed(seconds.upload, [&] { return SceneBuffers(session_.device(), packed_); })),
       tracer_(timed(seconds.compile, [&] {

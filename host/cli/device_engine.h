@@ -19,6 +19,7 @@ public:
     FirstHitImage firstHits(const std::function<void(double)>& onProgress) override;
     uint64_t cutPixels() const override { return cutPixels_; }
     DeviceInfo info() const override { return session_.device().info(); }
+    const char* tree() const override { return nameOf(builder_); }
     uint64_t deviceBytes() const override { return deviceBytes_; }
     const Device& device() const { return session_.device(); }
     const GpuScene& packed() const { return packed_; }
@@ -27,6 +28,7 @@ public:
 
 private:
     RenderSettings settings_;
+    BvhBuilder builder_ = BvhBuilder::Sah;
     // The device comes first: without one, building would be in vain.
     DeviceSession session_;
     GpuScene packed_;

@@ -45,22 +45,22 @@ Json toJson(const KeptFilm& kept) {
 
 void print(const KeptFilm& kept) {
     const Film& film = kept.film;
-    std::printf("film        %u x %u pixels\n", film.width(), film.height());
-    std::printf("samples     %llu per pixel",
+    std::printf("film           %u x %u pixels\n", film.width(), film.height());
+    std::printf("samples        %llu per pixel",
                 static_cast<unsigned long long>(film.samplesPerPixel()));
     for (const BlockRange& range : film.blocks().ranges())
-        std::printf("%s%u:%u", range == film.blocks().ranges().front() ? ": " : ", ",
-                    range.begin * gpu::kSamplesPerBlock, range.end * gpu::kSamplesPerBlock);
+        std::printf("%s%s", range == film.blocks().ranges().front() ? ": " : ", ",
+                    sampleText(range).c_str());
     std::printf("\n");
     if (const auto error = estimateError(film))
-        std::printf("error       %s%s\n", percentText(error->relative).c_str(),
+        std::printf("error          %s%s\n", percentText(error->relative).c_str(),
                     error->doubt && !error->isTrusted() ? ", not to be trusted" : "");
-    std::printf("scene       %s\n", hexadecimal(kept.label.sceneHash).c_str());
-    std::printf("device      %s\n", devicesOf(kept.label).c_str());
+    std::printf("scene          %s\n", hexadecimal(kept.label.sceneHash).c_str());
+    std::printf("device         %s\n", devicesOf(kept.label).c_str());
     for (const auto& [name, value] : kept.label.settings)
-        std::printf("%-11s %s\n", name.c_str(), value.c_str());
+        std::printf("%-14s %s\n", name.c_str(), value.c_str());
     std::printf(
-        "lost        %llu samples not finite, %llu paths cut short, %llu blocks of pixels\n",
+        "lost           %llu samples not finite, %llu paths cut short, %llu blocks of pixels\n",
         static_cast<unsigned long long>(film.losses().nonFiniteSamples),
         static_cast<unsigned long long>(film.losses().cutPaths),
         static_cast<unsigned long long>(film.losses().lostPixels()));

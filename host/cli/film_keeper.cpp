@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "base/stopwatch.h"
 
 namespace calotype {
 
@@ -33,7 +34,7 @@ FilmLabel labelOf(const Scene& scene, const RenderSettings& settings,
         {"texture_filter", !filter                              ? "scene"
                            : *filter == TextureFilter::Bilinear ? "bilinear"
                                                                 : "nearest"},
-        {"bvh", builder == BvhBuilder::Median ? "median" : "sah"},
+        {"bvh", nameOf(builder.value_or(BvhBuilder::Sah))},
     };
     return label;
 }
@@ -75,9 +76,8 @@ Film FilmKeeper::begin(const RenderSettings& settings, double maxRadiance,
 }
 
 void FilmKeeper::checkpoint(const Film& film) {
-    const std::chrono::duration<double> sinceSave = Clock::now() - lastSave_;
-    if (!isWanted() ||
-        sinceSave.count() < options_.checkpointSeconds.value_or(FilmOptions::kCheckpointSeconds))
+    if (!isWanted() || secondsSince(lastSave_) <
+                           options_.checkpointSeconds.value_or(FilmOptions::kCheckpointSeconds))
         return;
     try {
         save(film);

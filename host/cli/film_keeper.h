@@ -29,6 +29,7 @@ public:
     /// Whether a film is to be kept at all.
     bool isWanted() const { return !path_.empty(); }
     const std::string& path() const { return path_; }
+    const FilmLabel& label() const { return label_; }
 
     /// The film to go on with, or an empty one of this size. Where there is no film yet, it is
     /// written, so that there is a film at whatever moment the program is killed. Throws SceneError

@@ -74,8 +74,12 @@ void printFeatures(const SceneFeatures& features) {
 } // namespace
 
 int infoCommand(const InfoOptions& options) {
-    if (isFilm(options.scene.path))
+    if (isFilm(options.scene.path)) {
+        if (!options.scene.overrides.empty() || !options.device.device.empty() || options.bvh)
+            throw UsageError("--set, --device and --bvh are for scenes; '" + options.scene.path +
+                             "' is a film");
         return filmInfoCommand(options);
+    }
     if (options.asJson)
         throw UsageError("--json is for films, and '" + options.scene.path + "' is none");
     LoadOptions loadOptions;

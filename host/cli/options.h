@@ -97,6 +97,7 @@ struct MergeOptions {
     std::vector<std::string> films;
     std::vector<std::string> outputs; ///< films, or pictures by their extensions
     DisplayTransform display;
+    LayerOptions layers;
 };
 
 struct BenchOptions {

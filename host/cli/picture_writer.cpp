@@ -1,11 +1,10 @@
 #include "cli/picture_writer.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <limits>
 
 #include "base/error.h"
+#include "cli/exr_metadata.h"
 #include "film/error_estimate.h"
 #include "film/write_image.h"
 
@@ -44,19 +43,11 @@ PictureWriter::Contents PictureWriter::contentsOf(RenderSession& session) const 
 }
 
 void PictureWriter::write(const std::string& path, const Contents& contents) const {
-    const Crop& crop = settings_.crop;
-    ExrMetadata metadata;
-    metadata.version = CALOTYPE_VERSION;
-    metadata.sceneHash = sceneHash_;
-    metadata.seed = settings_.seed;
-    metadata.sampler = nameOf(settings_.sampler);
-    metadata.samplesPerPixel = static_cast<uint32_t>(
-        std::min<uint64_t>(contents.totals.samplesPerPixel, std::numeric_limits<uint32_t>::max()));
-    metadata.seconds = contents.totals.seconds;
-    metadata.crop = CropPlacement{crop.x, crop.y, settings_.width, settings_.height};
     const ExrLayers layers{firstHits_.pixels.empty() ? nullptr : &firstHits_,
                            options_.layers.firstHits, contents.errors};
-    writeImage(path, contents.picture, options_.display, metadata, layers);
+    writeImage(path, contents.picture, options_.display,
+               exrMetadata(label_, contents.totals.samplesPerPixel, contents.totals.seconds),
+               layers);
 }
 
 } // namespace calotype

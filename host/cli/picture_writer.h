@@ -1,10 +1,11 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/options.h"
+#include "film/film_file.h"
 #include "image/first_hit.h"
 #include "image/pixel_error.h"
 #include "render/render_session.h"
@@ -14,11 +15,9 @@ namespace calotype {
 /// Writes a render's pictures, in the end and on the way.
 class PictureWriter {
 public:
-    PictureWriter(const RenderOptions& options, const RenderSettings& settings, uint64_t sceneHash)
-        : options_(options), settings_(settings), sceneHash_(sceneHash) {}
-
-    /// What the layers of first hits show; needed before any picture where they are wanted.
-    void setFirstHits(FirstHitImage hits) { firstHits_ = std::move(hits); }
+    /// `firstHits` are what the layers of first hits show, empty where none is wanted.
+    PictureWriter(const RenderOptions& options, const FilmLabel& label, FirstHitImage firstHits)
+        : options_(options), label_(label), firstHits_(std::move(firstHits)) {}
 
     /// Writes every output that can be written, then throws what went wrong first, if anything.
     void writeOutputs(RenderSession& session) const;
@@ -39,9 +38,8 @@ private:
     void write(const std::string& path, const Contents& contents) const;
 
     const RenderOptions& options_;
-    const RenderSettings& settings_;
-    uint64_t sceneHash_;
-    FirstHitImage firstHits_; ///< empty where no layer is wanted
+    const FilmLabel& label_;
+    FirstHitImage firstHits_;
 };
 
 } // namespace calotype

@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <unistd.h>
 
+#include "base/stopwatch.h"
+
 namespace calotype {
 namespace {
 
@@ -112,7 +114,7 @@ double Progress::shareDone(const RenderTotals& totals, double elapsed) const {
 void Progress::rendering(const RenderTotals& totals) {
     if (!isDue())
         return;
-    const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
+    const double elapsed = secondsSince(start_);
     const auto paths = static_cast<double>(totals.paths);
     const double done = shareDone(totals, elapsed);
     std::string text = std::to_string(totals.samplesPerPixel);
@@ -120,7 +122,8 @@ void Progress::rendering(const RenderTotals& totals) {
         text.append("/").append(std::to_string(*plan_.samplesPerPixel));
     text += " spp  ";
     if (totals.error)
-        text += "error " + percentText(totals.error->relative) + "  ";
+        text += "error " + percentText(totals.error->relative) +
+                (totals.error->doubt && !totals.error->isTrusted() ? " (doubtful)  " : "  ");
     text += withPrefix(paths / totals.seconds) + " samples/s  " +
             withPrefix(static_cast<double>(totals.rays) / totals.seconds) + " rays/s  " +
             durationText(elapsed) + " elapsed";

@@ -17,6 +17,7 @@ public:
     double maxRadiance() const override { return tracer_.maxRadiance(); }
     FirstHitImage firstHits(const std::function<void(double)>& onProgress) override;
     DeviceInfo info() const override;
+    const char* tree() const override { return "reference"; }
 
 private:
     RenderSettings settings_;

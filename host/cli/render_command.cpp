@@ -8,6 +8,7 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "base/stopwatch.h"
 #include "cli/check_outputs.h"
 #include "cli/device_session.h"
 #include "cli/exit_code.h"
@@ -26,10 +27,6 @@ namespace calotype {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 void throwIfInterrupted() {
     if (isInterrupted())
@@ -101,10 +98,13 @@ public:
              [&](const std::string& what, double done) { step(preparation, what, done); }},
             seconds_);
         throwIfInterrupted();
-        PictureWriter writer(options_, settings, scene.hash);
+        if (options_.targetError && engine->maxRadiance() == 0.0)
+            throw UsageError("--target-error has nothing to aim at: the scene has no light");
+        FirstHitImage hits;
         if (wantsHits)
-            writer.setFirstHits(engine->firstHits(
-                [&](double done) { step(preparation, "finding first hits", done); }));
+            hits = engine->firstHits(
+                [&](double done) { step(preparation, "finding first hits", done); });
+        const PictureWriter writer(options_, keeper.label(), std::move(hits));
         preparation.clear();
         RenderSession session(engine->tracer(), settings,
                               keeper.begin(settings, engine->maxRadiance(), engine->info()));
@@ -119,7 +119,7 @@ public:
         if (!options_.statsFile.empty())
             writeFileAtomically(options_.statsFile,
                                 toJson({engine->info(), settings, totals, ending, seconds_,
-                                        engine->deviceBytes(), scene.hash}));
+                                        engine->deviceBytes(), keeper.label(), engine->tree()}));
         engine->finish();
         reportRender(
             {options_, totals, ending, plan.samplesPerPixel, keeper.path(), engine->cutPixels()});

@@ -34,6 +34,9 @@ public:
     virtual uint64_t cutPixels() const { return 0; }
 
     virtual DeviceInfo info() const = 0;
+
+    /// How its tree was built: "median", "sah", or "reference".
+    virtual const char* tree() const = 0;
     virtual uint64_t deviceBytes() const { return 0; }
 
     /// Throws GpuError for what only came to light on the way.

@@ -23,12 +23,10 @@ void warnOfLosses(const FilmLosses& losses, uint64_t cutPixels) {
     warn(losses.lostPixels(), "blocks of samples were too bright for the film and count as black");
 }
 
-/// ", error 1.93 %", or nothing where it is not known.
-std::string errorText(const std::optional<ErrorEstimate>& error) {
-    if (!error)
-        return "";
-    const bool isDoubtful = error->doubt && !error->isTrusted();
-    return ", error " + percentText(error->relative) +
+/// " 1.93 %", with a word where more light may be missing altogether.
+std::string estimateText(const ErrorEstimate& error) {
+    const bool isDoubtful = error.doubt && !error.isTrusted();
+    return " " + percentText(error.relative) +
            (isDoubtful ? " (not to be trusted: it rests on rare bright samples)" : "");
 }
 
@@ -43,25 +41,15 @@ void reportInterrupt(const RenderReport& report, const std::string& samples) {
                  samples.c_str(), what, placeOf(report).c_str());
 }
 
-/// A goal that was missed, or met by an estimate that says of itself that it may be wrong.
+/// A goal that was missed.
 void warnOfGoal(const RenderReport& report) {
     const auto& [options, totals, ending, samplesWanted, film, cutPixels] = report;
-    if (!options.targetError)
-        return;
-    const std::string target = percentText(*options.targetError);
-    if (ending != RenderEnding::TargetError)
+    if (options.targetError && ending != RenderEnding::TargetError)
         std::fprintf(stderr,
                      "calotype: warning: the error of %s that --target-error asks for was not "
                      "reached%s\n",
-                     target.c_str(),
-                     totals.error ? (": it is " + percentText(totals.error->relative)).c_str()
-                                  : "");
-    else if (!totals.error->isTrusted())
-        std::fprintf(stderr,
-                     "calotype: warning: the error of %s is not to be trusted: it rests on pixels "
-                     "where rare samples bring most of the light, and more of those may be missing "
-                     "altogether\n",
-                     percentText(totals.error->relative).c_str());
+                     percentText(*options.targetError).c_str(),
+                     totals.error ? (": it is" + estimateText(*totals.error)).c_str() : "");
 }
 
 } // namespace
@@ -84,8 +72,8 @@ void reportRender(const RenderReport& report) {
     };
     std::fprintf(stderr, "%s: %s in %s%s, %s samples/s, %s rays/s\n", placeOf(report).c_str(),
                  samples.c_str(), durationText(totals.seconds).c_str(),
-                 errorText(totals.error).c_str(), rate(totals.paths).c_str(),
-                 rate(totals.rays).c_str());
+                 totals.error ? (", error" + estimateText(*totals.error)).c_str() : "",
+                 rate(totals.paths).c_str(), rate(totals.rays).c_str());
 }
 
 } // namespace calotype

@@ -45,12 +45,12 @@ uint64_t peakMemoryBytes() {
 }
 
 std::string toJson(const RenderStatistics& statistics) {
-    const auto& [device, settings, totals, ending, seconds, deviceBytes, sceneHash] = statistics;
+    const auto& [device, settings, totals, ending, seconds, deviceBytes, label, tree] = statistics;
     nlohmann::ordered_json json;
     json["version"] = CALOTYPE_VERSION;
     json["device"] = device.name;
     json["driver"] = device.driver;
-    json["scene_hash"] = hexadecimal(sceneHash);
+    json["scene_hash"] = hexadecimal(label.sceneHash);
     json["resolution"] = {settings.width, settings.height};
     json["crop"] = {settings.crop.x, settings.crop.y, settings.crop.width, settings.crop.height};
     json["spp"] = totals.samplesPerPixel;
@@ -64,6 +64,9 @@ std::string toJson(const RenderStatistics& statistics) {
     json["roulette"] = transport.usesRoulette;
     json["clamp_indirect"] =
         transport.clampsIndirect() ? nlohmann::ordered_json(transport.indirectClamp) : nullptr;
+    json["light_choice"] = label.setting("light_choice");
+    json["texture_filter"] = label.setting("texture_filter");
+    json["bvh"] = tree;
     json["seconds"] = {{"load", seconds.load},
                        {"build", seconds.build},
                        {"upload", seconds.upload},

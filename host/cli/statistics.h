@@ -7,6 +7,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "cli/options.h"
+#include "film/film_file.h"
 #include "gpu/device_list.h"
 #include "render/render_session.h"
 
@@ -31,7 +32,8 @@ struct RenderStatistics {
     RenderEnding ending = RenderEnding::AllSamples;
     StageSeconds seconds;
     uint64_t deviceBytes = 0;
-    uint64_t sceneHash = 0;
+    const FilmLabel& label;
+    const char* tree = ""; ///< RenderEngine::tree
 };
 
 /// The estimate's numbers, or null where there is none.

@@ -2,6 +2,8 @@
 
 #include <chrono>
 
+#include "base/stopwatch.h"
+
 namespace calotype {
 
 /// Runs `stage`, stores how many seconds of wall-clock time it took, and returns what it returns.
@@ -9,7 +11,7 @@ template <typename Stage>
 auto timed(double& seconds, Stage&& stage) {
     const auto start = std::chrono::steady_clock::now();
     auto result = stage();
-    seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    seconds = secondsSince(start);
     return result;
 }
 

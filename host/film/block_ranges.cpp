@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/check.h"
+#include "shared/limits.h"
 
 namespace calotype {
 namespace {
@@ -13,6 +14,13 @@ BlockRange intersection(const BlockRange& a, const BlockRange& b) {
 }
 
 } // namespace
+
+std::string sampleText(const BlockRange& range) {
+    const auto sample = [](uint32_t block) {
+        return std::to_string(block * gpu::kSamplesPerBlock);
+    };
+    return sample(range.begin) + ":" + sample(range.end);
+}
 
 void BlockRanges::add(BlockRange range) {
     CALOTYPE_CHECK_LT(range.begin, range.end);
@@ -52,10 +60,15 @@ uint64_t BlockRanges::countOf(uint32_t residue, uint32_t divisor) const {
 }
 
 BlockRange BlockRanges::firstOverlap(const BlockRanges& others) const {
-    for (const BlockRange& mine : ranges_)
-        for (const BlockRange& theirs : others.ranges_)
-            if (const BlockRange both = intersection(mine, theirs); both.end > 0)
-                return both;
+    auto theirs = others.ranges_.begin();
+    for (const BlockRange& mine : ranges_) {
+        while (theirs != others.ranges_.end() && theirs->end <= mine.begin)
+            ++theirs;
+        if (theirs == others.ranges_.end())
+            break;
+        if (const BlockRange both = intersection(mine, *theirs); both.end > 0)
+            return both;
+    }
     return {};
 }
 

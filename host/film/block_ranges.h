@@ -3,6 +3,7 @@
 #include <compare>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace calotype {
@@ -14,6 +15,9 @@ struct BlockRange {
 
     auto operator<=>(const BlockRange&) const = default;
 };
+
+/// "32:64": the absolute indices of the samples, as --samples takes them.
+std::string sampleText(const BlockRange& range);
 
 /// A set of blocks, as the fewest ranges, in ascending order. The same set is always the same
 /// ranges, however it came together.

@@ -115,6 +115,8 @@ std::optional<ErrorEstimate> estimateError(const Film& film) {
     double luminances = 0.0;
     for (size_t i = 0; i < film.pixelCount(); ++i)
         luminances += replicas.meanOf(i);
+    if (luminances <= 0.0)
+        return std::nullopt;
     const double floor = 0.01 * luminances / pixels;
     double sum = 0.0;
     double squares = 0.0;

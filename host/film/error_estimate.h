@@ -36,7 +36,7 @@ struct ErrorEstimate {
     double upperBound() const;
 };
 
-/// None of a film that holds fewer than two replicas.
+/// None of a film that holds fewer than two replicas, or is black, so that light may be missing.
 std::optional<ErrorEstimate> estimateError(const Film& film);
 
 /// Row by row from the top left pixel: the intervals are Student's t, for the replicas that hold

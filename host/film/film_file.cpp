@@ -9,6 +9,7 @@
 #include <fstream>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -136,27 +137,39 @@ Json describe(const FilmLabel& label, const Film& film, const std::vector<std::s
             {"chunk_bytes", chunkBytes}};
 }
 
+/// Throws where `number` is no integer from `least` to `most`.
+template <typename Number>
+Number numberIn(const Json& number, Number least, Number most) {
+    const bool isInRange = number.is_number_unsigned()
+                               ? std::cmp_less_equal(number.get<uint64_t>(), most) &&
+                                     std::cmp_less_equal(least, number.get<uint64_t>())
+                               : number.is_number_integer() &&
+                                     std::cmp_less_equal(number.get<int64_t>(), most) &&
+                                     std::cmp_less_equal(least, number.get<int64_t>());
+    if (!isInRange)
+        throw std::out_of_range(number.dump());
+    return number.get<Number>();
+}
+
 /// Ranges as they were written; throws what ends up as "is damaged" where they are not such.
 BlockRanges readBlocks(const Json& description) {
     BlockRanges blocks;
     uint32_t end = 0;
     for (const Json& range : description.at("blocks")) {
-        const BlockRange next{range.at(0).get<uint32_t>(), range.at(1).get<uint32_t>()};
-        if (next.begin < end || next.begin >= next.end || next.end > Film::kMaxBlocks)
-            throw std::out_of_range("blocks");
-        blocks.add(next);
-        end = next.end;
+        const auto begin = numberIn<uint32_t>(range.at(0), end, Film::kMaxBlocks - 1);
+        end = numberIn<uint32_t>(range.at(1), begin + 1, Film::kMaxBlocks);
+        blocks.add({begin, end});
     }
     return blocks;
 }
 
 /// Throws where the description and the chunks do not fit each other.
 KeptFilm readParts(const Json& description, std::string_view compressed) {
-    const auto width = description.at("width").get<uint32_t>();
-    const auto height = description.at("height").get<uint32_t>();
-    if (width < 1 || height < 1 || width > kLargestPictureSide || height > kLargestPictureSide)
-        throw std::out_of_range("size");
-    const auto sizes = description.at("chunk_bytes").get<std::vector<uint64_t>>();
+    const auto width = numberIn<uint32_t>(description.at("width"), 1, kLargestPictureSide);
+    const auto height = numberIn<uint32_t>(description.at("height"), 1, kLargestPictureSide);
+    std::vector<uint64_t> sizes;
+    for (const Json& size : description.at("chunk_bytes"))
+        sizes.push_back(numberIn<uint64_t>(size, 0, compressed.size()));
     const size_t pixels = size_t{width} * height;
     const auto chunksFor = [](size_t n) { return (n + kChunkNumbers - 1) / kChunkNumbers; };
     if (sizes.size() != chunksFor(3 * pixels) + chunksFor(gpu::kReplicas * pixels))
@@ -164,7 +177,7 @@ KeptFilm readParts(const Json& description, std::string_view compressed) {
     std::vector<std::string_view> chunks;
     for (const uint64_t size : sizes) {
         if (size > compressed.size())
-            throw std::out_of_range("chunk");
+            throw std::out_of_range("chunks");
         chunks.push_back(compressed.substr(0, size));
         compressed.remove_prefix(size);
     }
@@ -177,8 +190,11 @@ KeptFilm readParts(const Json& description, std::string_view compressed) {
         throw std::out_of_range("chunks");
     Film::Sums sums;
     sums.blocks = readBlocks(description);
-    sums.losses = {description.at("non_finite_samples"), description.at("cut_paths"),
-                   description.at("non_finite_pixels"), description.at("overflowed_pixels")};
+    const auto count = [&](const char* name) {
+        return numberIn<uint64_t>(description.at(name), 0, uint64_t{1} << 63);
+    };
+    sums.losses = {count("non_finite_samples"), count("cut_paths"), count("non_finite_pixels"),
+                   count("overflowed_pixels")};
     sums.colors.resize(pixels);
     sums.luminances.resize(gpu::kReplicas * pixels);
     std::vector<std::span<FixedPoint>> targets;
@@ -188,8 +204,8 @@ KeptFilm readParts(const Json& description, std::string_view compressed) {
         if (!decompress(chunks[i], targets[i]))
             isWhole = false;
     });
-    const int exponent = description.at("unit_exponent");
-    if (!isWhole || exponent < -126 || exponent > 127)
+    const auto exponent = numberIn<int>(description.at("unit_exponent"), -126, 127);
+    if (!isWhole)
         throw std::out_of_range("sums");
     FilmLabel label;
     label.sceneHash = std::stoull(description.at("scene_hash").get<std::string>(), nullptr, 16);
@@ -199,6 +215,11 @@ KeptFilm readParts(const Json& description, std::string_view compressed) {
 }
 
 } // namespace
+
+std::string FilmLabel::setting(const std::string& name) const {
+    const auto found = settings.find(name);
+    return found == settings.end() ? "none" : found->second;
+}
 
 void writeFilm(const std::filesystem::path& path, const FilmLabel& label, const Film& film) {
     std::vector<std::span<const FixedPoint>> chunks;
@@ -260,15 +281,11 @@ void requireSameOrigin(const std::filesystem::path& path, const KeptFilm& film,
     };
     if (film.label.sceneHash != label.sceneHash)
         fail("another scene, or the scene's files have changed since");
-    const auto valueIn = [](const FilmLabel& owner, const std::string& name) {
-        const auto found = owner.settings.find(name);
-        return found == owner.settings.end() ? std::string("none") : found->second;
-    };
     for (const FilmLabel* owner : {&label, &film.label})
         for (const auto& [name, value] : owner->settings)
-            if (valueIn(film.label, name) != valueIn(label, name))
-                fail("another " + name + ": " + valueIn(film.label, name) + ", not " +
-                     valueIn(label, name));
+            if (film.label.setting(name) != label.setting(name))
+                fail("another " + name + ": " + film.label.setting(name) + ", not " +
+                     label.setting(name));
     if (film.film.unit() != unit)
         fail("lights of another strength");
     if (film.film.width() != width || film.film.height() != height)

@@ -17,6 +17,9 @@ struct FilmLabel {
     /// seed and so on, by name.
     std::map<std::string, std::string> settings;
     std::set<std::string> devices; ///< that rendered it, with their drivers
+
+    /// The value of a setting, or "none".
+    std::string setting(const std::string& name) const;
 };
 
 struct KeptFilm {

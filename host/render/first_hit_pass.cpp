@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "base/check.h"
+#include "base/stopwatch.h"
 #include "kernels/first_hit.spv.h"
 #include "render/dispatch_sizer.h"
 #include "render/loop_budget.h"
@@ -69,7 +70,7 @@ FirstHitImage FirstHitPass::run(const std::function<void(double)>& onProgress) {
         const Clock::time_point start = Clock::now();
         parameters_.firstTile = first;
         pipeline_.run(device_, count, std::as_bytes(std::span(&parameters_, 1)));
-        sizer.update(count, std::chrono::duration<double>(Clock::now() - start).count());
+        sizer.update(count, secondsSince(start));
         readTiles(first, count, image);
         first += count;
         if (onProgress)

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "base/check.h"
+#include "base/stopwatch.h"
 #include "kernels/list_rays.spv.h"
 #include "kernels/trace_rays.spv.h"
 #include "render/dispatch_sizer.h"
@@ -26,7 +27,7 @@ double runGroups(const Device& device, const ComputePipeline& pipeline,
             std::min(sizer.tiles(), parameters.groupCount - parameters.firstGroup);
         const Clock::time_point start = Clock::now();
         pipeline.run(device, count, std::as_bytes(std::span(&parameters, 1)));
-        const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+        const double seconds = secondsSince(start);
         sizer.update(count, seconds);
         sum += seconds;
         parameters.firstGroup += count;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/check.h"
+#include "base/stopwatch.h"
 #include "shared/limits.h"
 
 namespace calotype {
@@ -25,10 +26,6 @@ uint64_t endOfPass(uint64_t done, uint64_t lastSample, uint32_t passSamples) {
     uint64_t end = std::min(nextMultiple(kSamplesPerBlock), lastSample);
     end = std::min(end, std::max(uint64_t{1}, 2 * done));
     return passSamples > 0 ? std::min(end, nextMultiple(passSamples)) : end;
-}
-
-double secondsSince(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 } // namespace
@@ -166,7 +163,8 @@ void RenderSession::updateErrorNowAndThen() {
 bool RenderSession::isGoodEnough(const RenderGoal& goal) {
     const uint64_t samples = film_.samplesPerPixel();
     const bool isLook = samples >= kFirstLook && std::has_single_bit(samples);
-    return goal.targetError && isLook && error() && error()->upperBound() <= *goal.targetError;
+    return goal.targetError && isLook && error() && error()->isTrusted() &&
+           error()->upperBound() <= *goal.targetError;
 }
 
 Image RenderSession::picture() {

@@ -58,7 +58,7 @@ TEST_F(ExitCodeTest, WrongUsage) {
         {{"render", scene_, "-o", out, "-o", out}, "twice"},
         {{"render", scene_, "-o", out, "--preview-every", "2", "--preview-file", "x.bmp"}, ".png"},
         {{"render", scene_, "-o", out, "-o", folder_ / "./out.png"}, "twice"},
-        {{"render", scene_, "-o", out, "--stats", scene_}, "is the scene"},
+        {{"render", scene_, "-o", out, "--stats", scene_}, "is read by this command"},
         {{"render", scene_, "-o", out, "--stats", out}, "twice"},
         {{"render", scene_, scene_, "-o", out}, "scene.json"},
         {{"info"}, "required"},

@@ -180,7 +180,7 @@ TEST_F(FilmTest, MistakesAreNamed) {
         expectFailure(run({"--film", film, "--samples", range}), 2, "multiples of 16");
     expectFailure(run({"--film", film, "--samples", "0:16", "--spp", "16"}), 2, "--spp");
     expectFailure(run({"--film", folder_ / "x.png"}), 2, "extension of a picture");
-    expectFailure(run({"--film", scene_}), 2, "is the scene");
+    expectFailure(run({"--film", scene_}), 2, "is no film");
     expectFailure(run({"-o", folder_ / "a.png", "--checkpoint", "5s"}), 2, "--film");
     expectFailure(run({"--film", film, "--checkpoint", "soon"}), 2, "30s, 5m or 2h");
     expectFailure(run({"--film", film, "--preview-every", "1"}), 2, "--preview-file");
@@ -197,7 +197,7 @@ TEST_F(FilmTest, TheResumedFilmIsNoOutput) {
     const std::string other = folder_ / "b";
     expectFailure(runProgram(render({"--resume", path, "--film", other, "--stats", path})), 2,
                   "given twice");
-    expectFailure(runProgram(render({"--resume", path, "--film", "/dev/null"})), 2, "no file");
+    expectFailure(runProgram(render({"--resume", path, "--film", "/dev/null"})), 2, "is no film");
     EXPECT_TRUE(readText(path) == before);
 }
 
@@ -213,6 +213,79 @@ TEST_F(FilmTest, AnEmptyFileBecomesAFilmAtOnce) {
         runProgram(render({"--film", path, "--spp", "1000000", "--checkpoint", "1h"}), options);
     EXPECT_EQ(result.exitCode, 128 + SIGKILL);
     EXPECT_TRUE(readFilm(path).film.blocks().empty());
+}
+
+// Goals, crops and the reference tracer, with films.
+TEST_F(FilmTest, GoesOnToAGoal) {
+    const std::string path = film("a", {"--spp", "128"});
+    const std::string stats = folder_ / "stats.json";
+    ASSERT_EQ(
+        runProgram(render({"--resume", path, "--target-error", "0.05", "--stats", stats})).exitCode,
+        0);
+    const auto json = nlohmann::json::parse(readText(stats));
+    EXPECT_EQ(json["ended_by"], "target-error");
+    EXPECT_LE(json["error"]["bound"], 0.05);
+    const std::string spp = json["spp"].dump();
+    expectSameFilm(path, film("b", {"--spp", spp}));
+    ASSERT_EQ(runProgram(render({"--resume", path, "--time", "1.5s", "--stats", stats})).exitCode,
+              0);
+    EXPECT_GT(nlohmann::json::parse(readText(stats))["spp"], json["spp"]);
+}
+
+TEST_F(FilmTest, KeepsCropsAndTheReference) {
+    for (const std::vector<std::string>& options :
+         {std::vector<std::string>{"--crop", "5,3,16,9"}, {"--device", "reference"}}) {
+        const auto with = [&](std::vector<std::string> more) {
+            more.insert(more.end(), options.begin(), options.end());
+            return more;
+        };
+        const std::string name = options.back();
+        const std::string whole = film(name + "w", with({"--spp", "48"}));
+        const std::string a = film(name + "a", with({"--samples", "0:16"}));
+        const std::string b = film(name + "b", with({"--samples", "16:48", "--seed", "0"}));
+        ASSERT_EQ(runProgram({"merge", a, b, "-o", folder_ / "m.film", "-o", folder_ / "m.exr",
+                              "--aov", "error"})
+                      .exitCode,
+                  0);
+        expectSameFilm(folder_ / "m.film", whole);
+        const std::string exr = folder_ / (name + ".exr");
+        ASSERT_EQ(runProgram(render(with({"--spp", "48", "-o", exr, "--aov", "error"}))).exitCode,
+                  0);
+        // All of the file but the time that it took.
+        std::string merged = readText(folder_ / "m.exr");
+        std::string rendered = readText(exr);
+        const auto blankTime = [](std::string& bytes) {
+            const std::string attribute("calotype:seconds\0double\0", 24);
+            const size_t at = bytes.find(attribute);
+            ASSERT_NE(at, std::string::npos);
+            bytes.replace(at + attribute.size() + 4, 8, 8, '\0');
+        };
+        blankTime(merged);
+        blankTime(rendered);
+        EXPECT_TRUE(merged == rendered);
+    }
+    expectFailure(runProgram(render({"--resume", folder_ / "5,3,16,9w", "--spp", "64"})), 3,
+                  "another crop");
+}
+
+TEST_F(FilmTest, MergeChecksItsOutputs) {
+    const std::string a = film("a.film", {"--samples", "0:16"});
+    const auto merge = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments = {"merge", a};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return runProgram(arguments);
+    };
+    const std::string text = folder_.write("notes", "mine");
+    expectFailure(merge({"-o", text}), 2, "is no film");
+    expectFailure(merge({"-o", folder_ / "a.jpg"}), 2, "neither a film");
+    expectFailure(merge({"-o", folder_ / "b.png", "-o", folder_ / "b.png"}), 2, "given twice");
+    expectFailure(merge({"-o", folder_ / "b.png", "--aov", "error"}), 2, "add -o FILE.exr");
+    expectFailure(merge({"-o", folder_ / "b.exr", "--aov", "normal"}), 2, "no first hits");
+    expectFailure(merge({"-o", folder_ / "no/b.film"}), 1, "folder");
+    expectFailure(runProgram(render({"--film", text})), 2, "is no film");
+    expectFailure(runProgram({"info", a, "--set", "/film/width=3"}), 2, "are for scenes");
+    EXPECT_EQ(readText(text), "mine");
+    EXPECT_EQ(folder_.names(), (std::vector<std::string>{"a.film", "notes", "scene.json"}));
 }
 
 TEST_F(FilmTest, ReplacingAFilmIsWarnedOf) {

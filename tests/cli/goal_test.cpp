@@ -1,5 +1,6 @@
 // What ends a render: an error, a time, or a number of samples.
 #include <bit>
+#include <filesystem>
 
 #include <nlohmann/json.hpp>
 
@@ -73,7 +74,7 @@ TEST_F(GoalTest, TimeCountsFromTheStart) {
 TEST_F(GoalTest, AScenesFirefliesAreDoubted) {
     const std::string scene = folder_.write("caustic.json", R"({
       "camera": { "position": [0, 2, 5], "target": [0, 0.5, 0], "fov": 40 },
-      "film": { "width": 32, "height": 32 },
+      "film": { "width": 64, "height": 64 },
       "render": { "max_bounces": 8 },
       "materials": { "wall": { "type": "diffuse", "color": 0.7 },
                      "glass": { "type": "dielectric", "ior": 1.5 } },
@@ -85,17 +86,88 @@ TEST_F(GoalTest, AScenesFirefliesAreDoubted) {
       "lights": [ { "type": "disk", "center": [1, 5, 1], "normal": [0, -1, 0], "radius": 0.05,
                     "radiance": 4000 } ]
     })");
-    for (const char* sampler : {"independent", "sobol"}) {
-        const ProgramResult result =
-            runProgram({"render", scene, "-o", folder_ / "a.png", "--sampler", sampler, "--stats",
-                        stats_, "--spp", "512"});
-        ASSERT_EQ(result.exitCode, 0) << result.errors;
-        EXPECT_EQ(statistics()["error"]["trusted"], false);
-        EXPECT_NE(result.errors.find("not to be trusted"), std::string::npos) << result.errors;
-        const ProgramResult aimed = runProgram({"render", scene, "-o", folder_ / "a.png", "--quiet",
-                                                "--sampler", sampler, "--target-error", "0.5"});
-        EXPECT_EQ(aimed.exitCode, 0);
-        EXPECT_NE(aimed.errors.find("warning: the error of"), std::string::npos) << aimed.errors;
+    for (const char* sampler : {"independent", "sobol"})
+        for (const char* seed : {"0", "1", "2", "3"}) {
+            // An estimate that is not to be trusted ends no render, however small it is.
+            const ProgramResult result = runProgram(
+                {"render", scene, "-o", folder_ / "a.png", "--quiet", "--sampler", sampler,
+                 "--seed", seed, "--stats", stats_, "--target-error", "0.5", "--spp", "256"});
+            ASSERT_EQ(result.exitCode, 0) << result.errors;
+            EXPECT_EQ(statistics()["ended_by"], "samples");
+            EXPECT_LT(statistics()["error"]["bound"], 0.5);
+            EXPECT_EQ(statistics()["error"]["trusted"], false);
+            EXPECT_NE(result.errors.find("warning: the error of"), std::string::npos);
+            EXPECT_NE(result.errors.find("not to be trusted"), std::string::npos) << result.errors;
+        }
+}
+
+// A picture without a lit sample is not known to be black.
+TEST_F(GoalTest, BlackPicturesAreNotKnownToBeExact) {
+    const std::vector<std::string> away = {"--set", "/camera/position=[0, 9, 0]", "--set",
+                                           "/camera/target=[0, 19, 1]"};
+    std::vector<std::string> arguments = {"--target-error", "0.1", "--spp", "256"};
+    arguments.insert(arguments.end(), away.begin(), away.end());
+    const ProgramResult result = render(arguments);
+    ASSERT_EQ(result.exitCode, 0) << result.errors;
+    EXPECT_EQ(statistics()["ended_by"], "samples");
+    EXPECT_TRUE(statistics()["error"].is_null());
+    EXPECT_NE(result.errors.find("was not reached"), std::string::npos) << result.errors;
+    const ProgramResult dark = render({"--target-error", "0.1", "--set", "/lights=[]"});
+    EXPECT_EQ(dark.exitCode, 2);
+    EXPECT_NE(dark.errors.find("the scene has no light"), std::string::npos) << dark.errors;
+}
+
+// The switches of transport decide on the samples, and statistics and films say so.
+TEST_F(GoalTest, SwitchesChangeThePictureAndAreRecorded) {
+    const auto picture = [&](const std::vector<std::string>& switches) {
+        std::vector<std::string> arguments = {"render",
+                                              scene_,
+                                              "-q",
+                                              "-o",
+                                              folder_ / "a.pfm",
+                                              "--stats",
+                                              stats_,
+                                              "--film",
+                                              folder_ / "a.film",
+                                              "--spp",
+                                              "16",
+                                              "--max-bounces",
+                                              "8"};
+        arguments.insert(arguments.end(), switches.begin(), switches.end());
+        const ProgramResult result = runProgram(arguments);
+        EXPECT_EQ(result.exitCode, 0) << result.errors;
+        std::filesystem::remove(folder_ / "b.film");
+        std::filesystem::rename(folder_ / "a.film", folder_ / "b.film");
+        return readText(folder_ / "a.pfm");
+    };
+    const std::string usual = picture({});
+    const nlohmann::json defaults = statistics();
+    struct Switch {
+        std::vector<std::string> arguments;
+        const char* name;
+        nlohmann::json usual;
+        nlohmann::json value;
+        const char* inFilm;
+    };
+    const Switch switches[] = {
+        {{"--mis", "off"}, "mis", true, false, "off"},
+        {{"--roulette", "off"}, "roulette", true, false, "off"},
+        {{"--clamp-indirect", "0.015625"}, "clamp_indirect", nullptr, 0.015625, "0.015625"},
+        {{"--sampler", "independent"}, "sampler", "sobol", "independent", "independent"},
+        {{"--light-choice", "uniform"}, "light_choice", "power", "uniform", "uniform"},
+        {{"--texture-filter", "nearest"}, "texture_filter", "scene", "nearest", "nearest"},
+        {{"--bvh", "median"}, "bvh", "sah", "median", "median"},
+    };
+    for (const Switch& one : switches) {
+        SCOPED_TRACE(one.name);
+        EXPECT_EQ(defaults[one.name], one.usual);
+        const bool isSame = picture(one.arguments) == usual;
+        EXPECT_EQ(statistics()[one.name], one.value);
+        const ProgramResult info = runProgram({"info", folder_ / "b.film", "--json"});
+        EXPECT_EQ(nlohmann::json::parse(info.output)["settings"][one.name], one.inFilm);
+        // One light, no texture, and trees that find the same hits.
+        const std::string name = one.name;
+        EXPECT_EQ(isSame, name == "light_choice" || name == "texture_filter" || name == "bvh");
     }
 }
 

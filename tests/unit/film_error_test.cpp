@@ -149,10 +149,7 @@ TEST(ErrorEstimate, DoubtsItselfWhereRareSamplesBringTheLight) {
 
 TEST(ErrorEstimate, TakesBlackAndEvenPictures) {
     std::vector<std::vector<double>> blocks(gpu::kReplicas, std::vector<double>(3, 0.0));
-    const auto black = estimateError(greyFilm(blocks));
-    EXPECT_EQ(black->relative, 0.0);
-    EXPECT_EQ(black->upperBound(), 0.0);
-    EXPECT_TRUE(black->isTrusted());
+    EXPECT_FALSE(estimateError(greyFilm(blocks))) << "a black picture may lack all of its light";
     // What float sums round is no noise.
     for (uint32_t block = 0; block < blocks.size(); ++block)
         blocks[block].assign(3, block == 5 ? std::nextafter(1.0f, 2.0f) : 1.0f);
