@@ -26,6 +26,12 @@ void checkOutputs(const RenderOptions& options) {
     const FilmOptions& film = options.film;
     if (!film.film.empty() && film.resume != film.film) // else it is claimed below, to be written
         claims.reserve(film.resume);
+    if (options.adapts && options.samples)
+        throw UsageError("--adaptive decides on the samples of each pixel itself; leave out "
+                         "--samples, or --adaptive");
+    if (options.adapts && !(film.film.empty() && film.resume.empty()))
+        throw UsageError("films have as many samples in every pixel, and --adaptive has not; "
+                         "leave out one of them");
     const bool keepsFilm = !film.film.empty() || !film.resume.empty();
     if (options.outputs.empty() && !keepsFilm)
         throw UsageError(

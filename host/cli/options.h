@@ -61,6 +61,7 @@ struct RenderOptions {
     std::optional<SampleRange> samples;
     std::optional<double> targetError; ///< the most that ErrorEstimate::upperBound may be
     std::optional<double> seconds;     ///< from the start of the program
+    bool adapts = false;               ///< gives samples where the error is
     std::optional<uint32_t> maxBounces;
     std::optional<uint32_t> seed;
     Sampler sampler = Sampler::Sobol;

@@ -10,7 +10,7 @@
 
 namespace calotype {
 
-void PictureWriter::writeOutputs(RenderSession& session) const {
+void PictureWriter::writeOutputs(Session& session) const {
     if (options_.outputs.empty())
         return;
     const Contents contents = contentsOf(session);
@@ -26,7 +26,7 @@ void PictureWriter::writeOutputs(RenderSession& session) const {
         std::rethrow_exception(firstError);
 }
 
-void PictureWriter::writePreview(RenderSession& session) const {
+void PictureWriter::writePreview(Session& session) const {
     try {
         write(options_.previewFile.empty() ? options_.outputs.front() : options_.previewFile,
               contentsOf(session));
@@ -35,10 +35,10 @@ void PictureWriter::writePreview(RenderSession& session) const {
     }
 }
 
-PictureWriter::Contents PictureWriter::contentsOf(RenderSession& session) const {
+PictureWriter::Contents PictureWriter::contentsOf(Session& session) const {
     Contents contents{session.picture(), {}, session.totals()};
     if (options_.layers.errors)
-        contents.errors = pixelErrors(session.film());
+        contents.errors = session.pixelErrors();
     return contents;
 }
 

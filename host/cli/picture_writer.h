@@ -8,7 +8,7 @@
 #include "film/film_file.h"
 #include "image/first_hit.h"
 #include "image/pixel_error.h"
-#include "render/render_session.h"
+#include "render/session.h"
 
 namespace calotype {
 
@@ -20,11 +20,11 @@ public:
         : options_(options), label_(label), firstHits_(std::move(firstHits)) {}
 
     /// Writes every output that can be written, then throws what went wrong first, if anything.
-    void writeOutputs(RenderSession& session) const;
+    void writeOutputs(Session& session) const;
 
     /// A picture that cannot be written is warned of: the render is worth more than a preview of
     /// it.
-    void writePreview(RenderSession& session) const;
+    void writePreview(Session& session) const;
 
 private:
     /// Of one moment.
@@ -34,7 +34,7 @@ private:
         RenderTotals totals;
     };
 
-    Contents contentsOf(RenderSession& session) const;
+    Contents contentsOf(Session& session) const;
     void write(const std::string& path, const Contents& contents) const;
 
     const RenderOptions& options_;

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "render/render_session.h"
+#include "render/session.h"
 
 namespace calotype {
 

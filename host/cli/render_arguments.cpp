@@ -17,6 +17,10 @@ void addGoalOptions(CLI::App& command, RenderOptions& options) {
     const auto parseTime = [](const std::string& text) { return parseDuration("--time", text); };
     addParsed(command, "--time", options.seconds, parseTime,
               "Render until so much time has passed since the start: 30s, 5m, 2h", "30s");
+    command
+        .add_flag("--adaptive", options.adapts,
+                  "Give more samples to pixels of more error; --spp is the mean then")
+        ->multi_option_policy(CLI::MultiOptionPolicy::Throw);
 }
 
 /// How light is looked for.

@@ -20,6 +20,7 @@
 #include "cli/render_report.h"
 #include "cli/statistics.h"
 #include "cli/timed.h"
+#include "render/adaptive_session.h"
 #include "render/render_session.h"
 #include "scene/load.h"
 
@@ -106,16 +107,15 @@ public:
                 [&](double done) { step(preparation, "finding first hits", done); });
         const PictureWriter writer(options_, keeper.label(), std::move(hits));
         preparation.clear();
-        RenderSession session(engine->tracer(), settings,
-                              keeper.begin(settings, engine->maxRadiance(), engine->info()));
+        const std::unique_ptr<Session> session = begin(*engine, settings, keeper);
         const double prepared = secondsSince(start_);
-        const RenderPlan plan = planFor(session);
-        const RenderEnding ending = render(session, plan, keeper, writer);
-        session.error(); // of the film as it ended, for the totals
-        const RenderTotals& totals = session.totals();
+        const RenderPlan plan = planFor(*session, settings);
+        const RenderEnding ending = render(*session, plan, keeper, writer);
+        session->error(); // of the film as it ended, for the totals
+        const RenderTotals& totals = session->totals();
         seconds_.render = totals.seconds;
         seconds_.firstSample = prepared + totals.firstSampleSeconds;
-        writeAll(session, keeper, writer);
+        writeAll(*session, keeper, writer);
         if (!options_.statsFile.empty())
             writeFileAtomically(options_.statsFile,
                                 toJson({engine->info(), settings, totals, ending, seconds_,
@@ -145,10 +145,22 @@ private:
         return scene;
     }
 
-    RenderPlan planFor(const RenderSession& session) const {
+    /// With the film that the keeper has, if one is kept.
+    std::unique_ptr<Session> begin(RenderEngine& engine, const RenderSettings& settings,
+                                   FilmKeeper& keeper) {
+        if (options_.adapts)
+            return std::make_unique<AdaptiveSession>(engine.tracer(), settings,
+                                                     engine.maxRadiance());
+        auto session = std::make_unique<RenderSession>(
+            engine.tracer(), settings, keeper.begin(settings, engine.maxRadiance(), engine.info()));
+        film_ = &session->film();
+        return session;
+    }
+
+    RenderPlan planFor(const Session& session, const RenderSettings& settings) const {
         RenderPlan plan;
-        plan.pixels = session.film().pixelCount();
-        plan.samplesBefore = session.film().samplesPerPixel();
+        plan.pixels = uint64_t{settings.crop.width} * settings.crop.height;
+        plan.samplesBefore = session.totals().samplesPerPixel;
         plan.targetError = options_.targetError;
         if (options_.seconds)
             plan.seconds = std::max(0.0, *options_.seconds - secondsSince(start_));
@@ -158,7 +170,7 @@ private:
         return plan;
     }
 
-    RenderEnding render(RenderSession& session, const RenderPlan& plan, FilmKeeper& keeper,
+    RenderEnding render(Session& session, const RenderPlan& plan, FilmKeeper& keeper,
                         const PictureWriter& writer) {
         RenderGoal goal;
         goal.targetError = options_.targetError;
@@ -177,21 +189,25 @@ private:
                 lastPreview = Clock::now();
             }
         };
+        uint64_t previews = 0;
         observer.onPass = [&](const RenderTotals& totals) {
-            if (interval.samples > 0 && totals.samplesPerPixel % interval.samples == 0)
-                writer.writePreview(session);
+            if (interval.samples == 0 || totals.samplesPerPixel / interval.samples <= previews)
+                return;
+            previews = totals.samplesPerPixel / interval.samples;
+            writer.writePreview(session);
         };
-        observer.onBlock = [&] { keeper.checkpoint(session.film()); };
+        if (keeper.isWanted())
+            observer.onBlock = [&] { keeper.checkpoint(*film_); };
         return session.run(observer, interval.samples, goal);
     }
 
     /// Where one of the outputs fails, the others are written all the same.
-    void writeAll(RenderSession& session, FilmKeeper& keeper, const PictureWriter& writer) {
+    void writeAll(Session& session, FilmKeeper& keeper, const PictureWriter& writer) {
         const Clock::time_point before = Clock::now();
         std::exception_ptr filmError;
         try {
             if (keeper.isWanted())
-                keeper.save(session.film());
+                keeper.save(*film_);
         } catch (const OutputError&) {
             filmError = std::current_exception();
         }
@@ -204,6 +220,7 @@ private:
     const RenderOptions& options_;
     const Clock::time_point start_ = Clock::now();
     StageSeconds seconds_;
+    const Film* film_ = nullptr; ///< of the session, if it keeps one
 };
 
 } // namespace

@@ -26,8 +26,9 @@ void warnOfLosses(const FilmLosses& losses, uint64_t cutPixels) {
 /// " 1.93 %", with a word where more light may be missing altogether.
 std::string estimateText(const ErrorEstimate& error) {
     const bool isDoubtful = error.doubt && !error.isTrusted();
-    return " " + percentText(error.relative) +
-           (isDoubtful ? " (not to be trusted: it rests on rare bright samples)" : "");
+    return std::string(" ")
+        .append(percentText(error.relative))
+        .append(isDoubtful ? " (not to be trusted: it rests on rare bright samples)" : "");
 }
 
 /// Where the picture or the film is.

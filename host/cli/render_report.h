@@ -5,7 +5,7 @@
 #include <string>
 
 #include "cli/options.h"
-#include "render/render_session.h"
+#include "render/session.h"
 
 namespace calotype {
 

@@ -9,7 +9,8 @@
 #include "cli/options.h"
 #include "film/film_file.h"
 #include "gpu/device_list.h"
-#include "render/render_session.h"
+#include "render/render_settings.h"
+#include "render/session.h"
 
 namespace calotype {
 

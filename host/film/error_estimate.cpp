@@ -17,6 +17,14 @@ constexpr double kNormalInterval = 1.96;
 constexpr std::array<double, kReplicas - 1> kStudentInterval = {12.706, 4.303, 3.182, 2.776,
                                                                 2.571,  2.447, 2.365};
 
+/// The same for any number of them in [1, 7]: linear between whole ones.
+double studentInterval(double degrees) {
+    const size_t below =
+        std::clamp<size_t>(static_cast<size_t>(degrees), 1, kStudentInterval.size() - 1);
+    return std::lerp(kStudentInterval[below - 1], kStudentInterval[below],
+                     degrees - static_cast<double>(below));
+}
+
 /// The one-sided normal quantile of 1 - 0.05 / 20: a level of 5 % shared by the 20 doublings from
 /// 128 samples to the most there can be.
 constexpr double kSharedQuantile = 2.807;
@@ -28,72 +36,207 @@ constexpr double kMostDoubt = 1.4;
 /// A spread below this share of the luminance is the rounding of float sums, not noise.
 constexpr double kRounding = 1e-6;
 
+double square(double x) { return x * x; }
+
 /// What the replicas say of a pixel's luminance.
 struct PixelSpread {
     double mean = 0.0;
     double variance = 0.0; ///< of the mean
+    double degrees = 0.0;  ///< of freedom, of the variance
     /// The variance over L^2 + floor^2, where L is the mean of all replicas; and where it is, for
     /// each replica's deviation, the mean of the others.
     double relative = 0.0;
     double relativeToOthers = 0.0;
 };
 
-/// The replicas that hold samples, at least two for spreads. Those of n samples have a variance of
-/// s^2 / n, so deviations are weighted by n.
+/// Samples of one replica in a pixel, and the sum of their luminance.
+struct ReplicaSum {
+    double samples = 0.0;
+    double luminance = 0.0;
+};
+
+/// Replicas of one pixel, all with samples.
 class Replicas {
 public:
-    explicit Replicas(const Film& film)
-        : film_(film), all_(static_cast<double>(film.samplesPerPixel())) {
-        for (uint32_t replica = 0; replica < kReplicas; ++replica)
-            if (const uint64_t samples = film.samplesOfReplica(replica)) {
-                indices_[count_] = replica;
-                samples_[count_++] = static_cast<double>(samples);
-            }
+    void add(const ReplicaSum& replica) {
+        replicas_[count_++] = replica;
+        all_.samples += replica.samples;
+        all_.luminance += replica.luminance;
     }
 
     uint32_t count() const { return count_; }
+    const ReplicaSum& all() const { return all_; }
+    double mean() const { return all_.luminance / all_.samples; }
 
-    double meanOf(size_t pixel) const {
+    /// Of the mean; from two replicas on. Replicas of n samples have a variance of s^2 / n, so
+    /// deviations are weighted by n. `share(part, i)` is called with the parts that sum up to it.
+    template <typename Share>
+    double variance(const Share& share) const {
+        const double scale = 1.0 / ((count_ - 1) * all_.samples);
         double sum = 0.0;
-        for (uint32_t i = 0; i < count_; ++i)
-            sum += sumOf(i, pixel);
-        return sum / all_;
-    }
-
-    PixelSpread spreadOf(size_t pixel, double floor) const {
-        PixelSpread spread;
-        spread.mean = meanOf(pixel);
-        const auto square = [](double x) { return x * x; };
-        const auto share = [&](double part, double luminance) {
-            return part > 0.0 ? part / (square(luminance) + square(floor)) : 0.0;
-        };
         for (uint32_t i = 0; i < count_; ++i) {
-            const double sum = sumOf(i, pixel);
-            const double others = (spread.mean * all_ - sum) / (all_ - samples_[i]);
-            const double part = samples_[i] * square(sum / samples_[i] - spread.mean);
-            spread.variance += part;
-            spread.relativeToOthers += share(part, others);
+            const auto& [samples, luminance] = replicas_[i];
+            const double part = scale * samples * square(luminance / samples - mean());
+            sum += part;
+            share(part, replicas_[i]);
         }
-        const double scale = 1.0 / ((count_ - 1) * all_);
-        spread.variance *= scale;
-        if (spread.variance <= square(kRounding * spread.mean))
-            return {spread.mean, spread.variance, 0.0, 0.0};
-        spread.relative = share(spread.variance, spread.mean);
-        spread.relativeToOthers *= scale;
-        return spread;
+        return sum;
     }
 
 private:
-    double sumOf(uint32_t i, size_t pixel) const {
-        return film_.replicaLuminance(indices_[i], pixel);
+    std::array<ReplicaSum, kReplicas> replicas_{};
+    uint32_t count_ = 0;
+    ReplicaSum all_;
+};
+
+/// `part` over L^2 + floor^2.
+double shareOf(double part, double luminance, double floor) {
+    return part > 0.0 ? part / (square(luminance) + square(floor)) : 0.0;
+}
+
+/// Takes the rounding of float sums for no noise.
+PixelSpread withoutRounding(PixelSpread spread, double floor) {
+    if (spread.variance <= square(kRounding * spread.mean))
+        return {spread.mean, spread.variance, spread.degrees, 0.0, 0.0};
+    spread.relative = shareOf(spread.variance, spread.mean, floor);
+    return spread;
+}
+
+/// A film's pixels, all with the same replicas.
+class EvenPixels {
+public:
+    explicit EvenPixels(const Film& film) : film_(film) {
+        for (uint32_t replica = 0; replica < kReplicas; ++replica) {
+            samples_[replica] = static_cast<double>(film.samplesOfReplica(replica));
+            replicas_ += samples_[replica] > 0.0 ? 1 : 0;
+        }
+    }
+
+    size_t count() const { return film_.pixelCount(); }
+    uint32_t replicas() const { return replicas_; }
+    bool areEnough() const { return replicas_ >= 2; }
+    double meanOf(size_t pixel) const { return replicasOf(pixel).mean(); }
+
+    PixelSpread spreadOf(size_t pixel, double floor) const {
+        const Replicas replicas = replicasOf(pixel);
+        const ReplicaSum& all = replicas.all();
+        PixelSpread spread{replicas.mean(), 0.0, static_cast<double>(replicas.count() - 1), 0, 0};
+        spread.variance = replicas.variance([&](double part, const ReplicaSum& one) {
+            const double others = (all.luminance - one.luminance) / (all.samples - one.samples);
+            spread.relativeToOthers += shareOf(part, others, floor);
+        });
+        return withoutRounding(spread, floor);
+    }
+
+private:
+    Replicas replicasOf(size_t pixel) const {
+        Replicas replicas;
+        for (uint32_t replica = 0; replica < kReplicas; ++replica)
+            if (samples_[replica] > 0.0)
+                replicas.add({samples_[replica], film_.replicaLuminance(replica, pixel)});
+        return replicas;
     }
 
     const Film& film_;
-    double all_;
-    uint32_t count_ = 0;
-    std::array<uint32_t, kReplicas> indices_{};
     std::array<double, kReplicas> samples_{};
+    uint32_t replicas_ = 0;
 };
+
+/// An adaptive film's: the mean of two halves, each with replicas of its own.
+class HalvedPixels {
+public:
+    explicit HalvedPixels(const AdaptiveFilm& film) : film_(film) {
+        uint32_t least = film.blocksOf(0)[0];
+        for (uint32_t half = 0; half < AdaptiveFilm::kHalves; ++half)
+            least = std::min(least, *std::ranges::min_element(film.blocksOf(half)));
+        replicas_ = AdaptiveFilm::kHalves * std::min(least, AdaptiveFilm::kReplicasPerHalf);
+    }
+
+    size_t count() const { return film_.pixelCount(); }
+    uint32_t replicas() const { return replicas_; }
+    bool areEnough() const { return replicas_ >= 2 * AdaptiveFilm::kHalves; }
+
+    double meanOf(size_t pixel) const {
+        return 0.5 * (half(0, pixel).mean() + half(1, pixel).mean());
+    }
+
+    PixelSpread spreadOf(size_t pixel, double floor) const {
+        const std::array<Replicas, AdaptiveFilm::kHalves> halves = {half(0, pixel), half(1, pixel)};
+        const double all = halves[0].all().samples + halves[1].all().samples;
+        const double sum = halves[0].all().luminance + halves[1].all().luminance;
+        PixelSpread spread{0.5 * (halves[0].mean() + halves[1].mean()), 0.0, 0.0, 0.0, 0.0};
+        double squares = 0.0; // of the halves' variances, over their degrees of freedom
+        for (const Replicas& half : halves) {
+            const double variance = half.variance([&](double part, const ReplicaSum& one) {
+                const double others = (sum - one.luminance) / (all - one.samples);
+                spread.relativeToOthers += shareOf(0.25 * part, others, floor);
+            });
+            spread.variance += 0.25 * variance;
+            squares += square(0.25 * variance) / (half.count() - 1);
+        }
+        spread.degrees = squares > 0.0 ? square(spread.variance) / squares : 1.0; // Welch 1947
+        return withoutRounding(spread, floor);
+    }
+
+private:
+    Replicas half(uint32_t half, size_t pixel) const {
+        Replicas replicas;
+        for (uint32_t i = half; i < kReplicas; i += AdaptiveFilm::kHalves)
+            if (const uint64_t samples = film_.samplesOfReplica(i, pixel))
+                replicas.add({static_cast<double>(samples), film_.replicaLuminance(i, pixel)});
+        return replicas;
+    }
+
+    const AdaptiveFilm& film_;
+    uint32_t replicas_ = 0;
+};
+
+template <typename Pixels>
+std::optional<ErrorEstimate> estimate(const Pixels& pixels) {
+    if (!pixels.areEnough())
+        return std::nullopt;
+    const auto count = static_cast<double>(pixels.count());
+    double luminances = 0.0;
+    for (size_t i = 0; i < pixels.count(); ++i)
+        luminances += pixels.meanOf(i);
+    if (luminances <= 0.0)
+        return std::nullopt;
+    const double floor = 0.01 * luminances / count;
+    double sum = 0.0;
+    double squares = 0.0;
+    double toOthers = 0.0;
+    for (size_t i = 0; i < pixels.count(); ++i) {
+        const PixelSpread spread = pixels.spreadOf(i, floor);
+        sum += spread.relative;
+        squares += square(spread.relative) / spread.degrees;
+        toOthers += spread.relativeToOthers;
+    }
+    ErrorEstimate estimate;
+    estimate.relative = kNormalInterval * std::sqrt(sum / count);
+    estimate.replicas = pixels.replicas();
+    // A sum of estimates of n degrees of freedom each has sum^2 / (squares / n) of them
+    // (Satterthwaite 1946), and a share of 2 over that as its variance.
+    if (sum > 0.0)
+        estimate.uncertainty = std::sqrt(2.0 * squares) / sum;
+    if (pixels.replicas() == kReplicas)
+        estimate.doubt = sum > 0.0 ? std::sqrt(toOthers / sum) : 1.0;
+    return estimate;
+}
+
+template <typename Pixels>
+std::vector<PixelError> errorsOf(const Pixels& pixels) {
+    constexpr float kUnknown = std::numeric_limits<float>::infinity();
+    std::vector<PixelError> errors(pixels.count(), {kUnknown, kUnknown});
+    if (!pixels.areEnough())
+        return errors;
+    for (size_t i = 0; i < errors.size(); ++i) {
+        const PixelSpread spread = pixels.spreadOf(i, 0.0);
+        const double standardError = std::sqrt(spread.variance);
+        errors[i] = {static_cast<float>(standardError),
+                     static_cast<float>(studentInterval(spread.degrees) * standardError)};
+    }
+    return errors;
+}
 
 } // namespace
 
@@ -107,51 +250,16 @@ double ErrorEstimate::upperBound() const {
     return relative == 0.0 ? 0.0 : relative / std::sqrt(root * root * root);
 }
 
-std::optional<ErrorEstimate> estimateError(const Film& film) {
-    const Replicas replicas(film);
-    if (replicas.count() < 2)
-        return std::nullopt;
-    const auto pixels = static_cast<double>(film.pixelCount());
-    double luminances = 0.0;
-    for (size_t i = 0; i < film.pixelCount(); ++i)
-        luminances += replicas.meanOf(i);
-    if (luminances <= 0.0)
-        return std::nullopt;
-    const double floor = 0.01 * luminances / pixels;
-    double sum = 0.0;
-    double squares = 0.0;
-    double toOthers = 0.0;
-    for (size_t i = 0; i < film.pixelCount(); ++i) {
-        const PixelSpread spread = replicas.spreadOf(i, floor);
-        sum += spread.relative;
-        squares += spread.relative * spread.relative;
-        toOthers += spread.relativeToOthers;
-    }
-    ErrorEstimate estimate;
-    estimate.relative = kNormalInterval * std::sqrt(sum / pixels);
-    estimate.replicas = replicas.count();
-    // A sum of estimates of n degrees of freedom each has about n sum^2 / squares of them
-    // (Satterthwaite 1946), and a share of 2 over that as its variance.
-    if (sum > 0.0)
-        estimate.uncertainty = std::sqrt(2.0 * squares / (replicas.count() - 1)) / sum;
-    if (replicas.count() == kReplicas)
-        estimate.doubt = sum > 0.0 ? std::sqrt(toOthers / sum) : 1.0;
-    return estimate;
+std::optional<ErrorEstimate> estimateError(const Film& film) { return estimate(EvenPixels(film)); }
+
+std::optional<ErrorEstimate> estimateError(const AdaptiveFilm& film) {
+    return estimate(HalvedPixels(film));
 }
 
-std::vector<PixelError> pixelErrors(const Film& film) {
-    const Replicas replicas(film);
-    constexpr float kUnknown = std::numeric_limits<float>::infinity();
-    std::vector<PixelError> errors(film.pixelCount(), {kUnknown, kUnknown});
-    if (replicas.count() < 2)
-        return errors;
-    const double interval = kStudentInterval[replicas.count() - 2];
-    for (size_t i = 0; i < errors.size(); ++i) {
-        const double standardError = std::sqrt(replicas.spreadOf(i, 0.0).variance);
-        errors[i] = {static_cast<float>(standardError),
-                     static_cast<float>(interval * standardError)};
-    }
-    return errors;
+std::vector<PixelError> pixelErrors(const Film& film) { return errorsOf(EvenPixels(film)); }
+
+std::vector<PixelError> pixelErrors(const AdaptiveFilm& film) {
+    return errorsOf(HalvedPixels(film));
 }
 
 } // namespace calotype

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "film/adaptive_film.h"
 #include "film/film.h"
 #include "image/pixel_error.h"
 
@@ -36,11 +37,15 @@ struct ErrorEstimate {
     double upperBound() const;
 };
 
-/// None of a film that holds fewer than two replicas, or is black, so that light may be missing.
+/// None of a film that holds fewer than two replicas (of an adaptive film, in each half of each
+/// pixel), or is black, so that light may be missing.
 std::optional<ErrorEstimate> estimateError(const Film& film);
+std::optional<ErrorEstimate> estimateError(const AdaptiveFilm& film);
 
 /// Row by row from the top left pixel: the intervals are Student's t, for the replicas that hold
-/// samples, times the standard errors. Infinite where those are fewer than two.
+/// samples, times the standard errors; of an adaptive film with Welch's degrees of freedom for the
+/// mean of two halves. Infinite where the replicas are too few.
 std::vector<PixelError> pixelErrors(const Film& film);
+std::vector<PixelError> pixelErrors(const AdaptiveFilm& film);
 
 } // namespace calotype

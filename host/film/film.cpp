@@ -42,6 +42,17 @@ FilmLosses& FilmLosses::operator+=(const FilmLosses& other) {
     return *this;
 }
 
+Film::Sum& Film::Sum::operator+=(const Sum& other) {
+    r += other.r;
+    g += other.g;
+    b += other.b;
+    return *this;
+}
+
+glm::dvec3 Film::Sum::value() const {
+    return {fromFixedPoint(r), fromFixedPoint(g), fromFixedPoint(b)};
+}
+
 Film::Film(uint32_t width, uint32_t height, double unit)
     : Film(width, height, unit,
            {{},
@@ -63,22 +74,13 @@ void Film::addBlock(uint32_t block, std::span<const glm::vec4> blockSums,
     CALOTYPE_CHECK_LT(sums_.blocks.count(), kMaxBlocks);
     sums_.blocks.add({block, block + 1});
     sums_.losses += losses;
-    const double unitsPerRadiance = 1.0 / unit_;
     const std::span<FixedPoint> luminances =
         std::span(sums_.luminances).subspan(block % kReplicas * pixelCount(), pixelCount());
     for (size_t i = 0; i < blockSums.size(); ++i) {
-        const glm::vec4& sum = blockSums[i];
-        CALOTYPE_CHECK_EQ(sum.w, float{kSamplesPerBlock});
-        if (!isFinite(sum)) {
-            ++sums_.losses.nonFinitePixels;
-        } else if (!isInRange(sum, unit_)) {
-            ++sums_.losses.overflowedPixels;
-        } else {
-            const glm::dvec3 units = glm::dvec3(sum) * unitsPerRadiance;
-            sums_.colors[i].r += toFixedPoint(units.r);
-            sums_.colors[i].g += toFixedPoint(units.g);
-            sums_.colors[i].b += toFixedPoint(units.b);
-            luminances[i] += toFixedPoint(luminance(units));
+        CALOTYPE_CHECK_EQ(blockSums[i].w, float{kSamplesPerBlock});
+        if (const auto term = toFilmTerm(blockSums[i], unit_, sums_.losses)) {
+            sums_.colors[i] += term->color;
+            luminances[i] += term->luminance;
         }
     }
 }
@@ -89,11 +91,8 @@ void Film::add(const Film& other) {
     CALOTYPE_CHECK_EQ(unit_, other.unit_);
     sums_.blocks.add(other.sums_.blocks);
     CALOTYPE_CHECK_LE(sums_.blocks.count(), kMaxBlocks);
-    for (size_t i = 0; i < pixelCount(); ++i) {
-        sums_.colors[i].r += other.sums_.colors[i].r;
-        sums_.colors[i].g += other.sums_.colors[i].g;
-        sums_.colors[i].b += other.sums_.colors[i].b;
-    }
+    for (size_t i = 0; i < pixelCount(); ++i)
+        sums_.colors[i] += other.sums_.colors[i];
     for (size_t i = 0; i < sums_.luminances.size(); ++i)
         sums_.luminances[i] += other.sums_.luminances[i];
     sums_.losses += other.sums_.losses;
@@ -105,9 +104,7 @@ Image Film::picture(std::span<const glm::vec4> partialBlock) const {
     Image image(width_, height_);
     const auto samplesOfFilm = static_cast<double>(samplesPerPixel());
     for (size_t i = 0; i < pixelCount(); ++i) {
-        const Sum& color = sums_.colors[i];
-        glm::dvec3 sum(fromFixedPoint(color.r), fromFixedPoint(color.g), fromFixedPoint(color.b));
-        sum *= unit_;
+        glm::dvec3 sum = unit_ * sums_.colors[i].value();
         double samples = samplesOfFilm;
         if (!partialBlock.empty()) {
             const glm::vec4& partial = partialBlock[i];
@@ -119,6 +116,20 @@ Image Film::picture(std::span<const glm::vec4> partialBlock) const {
         image.pixels[i] = samples > 0.0 ? glm::vec3(sum / samples) : glm::vec3(0.0f);
     }
     return image;
+}
+
+std::optional<FilmTerm> toFilmTerm(const glm::vec4& blockSum, double unit, FilmLosses& losses) {
+    if (!isFinite(blockSum)) {
+        ++losses.nonFinitePixels;
+        return std::nullopt;
+    }
+    if (!isInRange(blockSum, unit)) {
+        ++losses.overflowedPixels;
+        return std::nullopt;
+    }
+    const glm::dvec3 units = glm::dvec3(blockSum) / unit; // exact: a power of two
+    return FilmTerm{{toFixedPoint(units.r), toFixedPoint(units.g), toFixedPoint(units.b)},
+                    toFixedPoint(luminance(units))};
 }
 
 uint64_t Film::samplesPerPixel() const { return blocks().count() * kSamplesPerBlock; }

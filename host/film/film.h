@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 #include "film/block_ranges.h"
@@ -47,6 +49,8 @@ public:
         FixedPoint g = 0;
         FixedPoint b = 0;
 
+        Sum& operator+=(const Sum& other);
+        glm::dvec3 value() const; ///< in units
         bool operator==(const Sum&) const = default;
     };
 
@@ -103,5 +107,14 @@ private:
     double unit_;
     Sums sums_;
 };
+
+/// What a pixel's sum of a block adds to a film, in units.
+struct FilmTerm {
+    Film::Sum color;
+    FixedPoint luminance = 0;
+};
+
+/// None where the sum is not finite or out of a film's range: then it is counted among `losses`.
+std::optional<FilmTerm> toFilmTerm(const glm::vec4& blockSum, double unit, FilmLosses& losses);
 
 } // namespace calotype

@@ -5,6 +5,7 @@ namespace {
 
 constexpr vk::Format kFormat = vk::Format::eR32G32B32A32Sfloat;
 constexpr vk::ImageSubresourceRange kWholeImage(vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1);
+constexpr vk::ImageSubresourceLayers kColor(vk::ImageAspectFlagBits::eColor, 0, 0, 1);
 
 using Access = vk::AccessFlagBits;
 using Layout = vk::ImageLayout;
@@ -61,13 +62,23 @@ void StorageImage::clear(const Device& device) const {
     });
 }
 
+void StorageImage::copyFrom(const Device& device, vk::Buffer buffer) const {
+    device.submitAndWait([&](const vk::raii::CommandBuffer& commands) {
+        barrier(commands, *image_, Stage::eTopOfPipe, {}, Stage::eTransfer, Access::eTransferWrite,
+                Layout::eUndefined);
+        commands.copyBufferToImage(buffer, *image_, Layout::eGeneral,
+                                   vk::BufferImageCopy(0, 0, 0, kColor, {}, extent_));
+        barrier(commands, *image_, Stage::eTransfer, Access::eTransferWrite, Stage::eComputeShader,
+                Access::eShaderRead | Access::eShaderWrite, Layout::eGeneral);
+    });
+}
+
 void StorageImage::copyTo(const Device& device, vk::Buffer buffer) const {
     device.submitAndWait([&](const vk::raii::CommandBuffer& commands) {
         barrier(commands, *image_, Stage::eComputeShader, Access::eShaderWrite, Stage::eTransfer,
                 Access::eTransferRead, Layout::eGeneral);
-        const vk::ImageSubresourceLayers color(vk::ImageAspectFlagBits::eColor, 0, 0, 1);
         commands.copyImageToBuffer(*image_, Layout::eGeneral, buffer,
-                                   vk::BufferImageCopy(0, 0, 0, color, {}, extent_));
+                                   vk::BufferImageCopy(0, 0, 0, kColor, {}, extent_));
         const vk::MemoryBarrier toHost(Access::eTransferWrite, Access::eHostRead);
         commands.pipelineBarrier(Stage::eTransfer, Stage::eHost, {}, toHost, {}, {});
         barrier(commands, *image_, Stage::eTransfer, Access::eTransferRead, Stage::eComputeShader,

@@ -22,6 +22,10 @@ public:
     /// Sets every component to zero.
     void clear(const Device& device) const;
 
+    /// Copies the pixels, row by row, from a buffer of width * height * 16 bytes that the host
+    /// wrote.
+    void copyFrom(const Device& device, vk::Buffer buffer) const;
+
     /// Copies the pixels, row by row, into a buffer of width * height * 16 bytes.
     void copyTo(const Device& device, vk::Buffer buffer) const;
 

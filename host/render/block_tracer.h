@@ -23,8 +23,10 @@ public:
 
     virtual uint32_t tileCount() const = 0;
 
-    /// Empties the block; its next samples have absolute indices from `firstSample` on.
-    virtual void beginBlock(uint32_t firstSample) = 0;
+    /// Empties the block; its next samples have absolute indices from `firstSample` on. Pixels
+    /// that are left out (a byte each, 0 or 1; none: all are in) get no samples: readBlock has a
+    /// sum of 0 and all the block's samples for them.
+    virtual void beginBlock(uint32_t firstSample, std::span<const uint8_t> isLeftOut = {}) = 0;
 
     /// Brings the pixels of at most kMostTilesPerDispatch tiles to `sampleEnd` samples of the
     /// block, as far as one call may go: call again for the same while `unfinishedPixels` is not

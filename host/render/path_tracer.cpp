@@ -52,8 +52,9 @@ PathTracer::PathTracer(const Device& device, const GpuScene& scene, const SceneB
     : device_(device), tileCount_(countTiles(settings.crop)),
       parameters_(makeParameters(scene, settings, tileCount_, loopBudget(device))),
       block_(device, settings.crop.width, settings.crop.height, "block"),
-      readback_(device, blockBytes(settings.crop), vk::BufferUsageFlagBits::eTransferDst,
-                Buffer::Memory::Host, "block readback"),
+      pixels_(device, blockBytes(settings.crop),
+              vk::BufferUsageFlagBits::eTransferSrc | vk::BufferUsageFlagBits::eTransferDst,
+              Buffer::Memory::Host, "block on its way"),
       camera_(uploadBuffer(device, std::as_bytes(std::span(&scene.camera, 1)),
                            vk::BufferUsageFlagBits::eUniformBuffer, "camera")),
       counters_(device, sizeof(gpu::RenderCounters), vk::BufferUsageFlagBits::eStorageBuffer,
@@ -71,9 +72,16 @@ PathTracer::PathTracer(const Device& device, const GpuScene& scene, const SceneB
     renderTiles({0, 1}, 0);
 }
 
-void PathTracer::beginBlock(uint32_t firstSample) {
+void PathTracer::beginBlock(uint32_t firstSample, std::span<const uint8_t> isLeftOut) {
     parameters_.firstSample = firstSample;
-    block_.clear(device_);
+    if (isLeftOut.empty()) {
+        block_.clear(device_);
+    } else { // as if all of their samples were there
+        std::ranges::transform(isLeftOut, pixels_.mapped<glm::vec4>().begin(), [](uint8_t isOut) {
+            return glm::vec4(0.0f, 0.0f, 0.0f, isOut != 0 ? float{gpu::kSamplesPerBlock} : 0.0f);
+        });
+        block_.copyFrom(device_, pixels_.handle());
+    }
     if (isUnfinished_)
         clear(device_, parkedPaths_);
     isUnfinished_ = false;
@@ -91,8 +99,8 @@ gpu::RenderCounters PathTracer::renderTiles(TileRange tiles, uint32_t sampleEnd)
 }
 
 std::span<const glm::vec4> PathTracer::readBlock() {
-    block_.copyTo(device_, readback_.handle());
-    return readback_.mapped<glm::vec4>();
+    block_.copyTo(device_, pixels_.handle());
+    return pixels_.mapped<glm::vec4>();
 }
 
 uint64_t pathTracerBytes(const Device& device, const RenderSettings& settings) {

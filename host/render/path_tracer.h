@@ -27,7 +27,7 @@ public:
                const std::optional<KernelTuning>& tuning = std::nullopt);
 
     uint32_t tileCount() const override { return tileCount_; }
-    void beginBlock(uint32_t firstSample) override;
+    void beginBlock(uint32_t firstSample, std::span<const uint8_t> isLeftOut = {}) override;
     /// One dispatch: it goes as far as the device's loop budget allows.
     gpu::RenderCounters renderTiles(TileRange tiles, uint32_t sampleEnd) override;
     std::span<const glm::vec4> readBlock() override;
@@ -37,7 +37,7 @@ private:
     uint32_t tileCount_;
     gpu::RenderParameters parameters_{};
     StorageImage block_;
-    Buffer readback_;
+    Buffer pixels_; ///< on their way to the block or from it
     Buffer camera_;
     Buffer counters_;
     Buffer parkedPaths_;

@@ -25,9 +25,11 @@ ReferenceBlock::ReferenceBlock(const reference::ReferenceTracer& tracer,
 
 uint32_t ReferenceBlock::tileCount() const { return countTiles(settings_.crop); }
 
-void ReferenceBlock::beginBlock(uint32_t firstSample) {
+void ReferenceBlock::beginBlock(uint32_t firstSample, std::span<const uint8_t> isLeftOut) {
     firstSample_ = firstSample;
     std::ranges::fill(pixels_, Pixel{});
+    for (size_t i = 0; i < isLeftOut.size(); ++i)
+        pixels_[i].sampleCount = isLeftOut[i] != 0 ? gpu::kSamplesPerBlock : 0;
 }
 
 gpu::RenderCounters ReferenceBlock::renderTiles(TileRange tiles, uint32_t sampleEnd) {

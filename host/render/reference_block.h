@@ -19,7 +19,7 @@ public:
                    uint32_t threads);
 
     uint32_t tileCount() const override;
-    void beginBlock(uint32_t firstSample) override;
+    void beginBlock(uint32_t firstSample, std::span<const uint8_t> isLeftOut = {}) override;
     /// For about a fifth of a second.
     gpu::RenderCounters renderTiles(TileRange tiles, uint32_t sampleEnd) override;
     std::span<const glm::vec4> readBlock() override;

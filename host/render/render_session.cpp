@@ -1,23 +1,15 @@
 #include "render/render_session.h"
 
 #include <algorithm>
-#include <bit>
 #include <utility>
 
 #include "base/check.h"
-#include "base/stopwatch.h"
 #include "shared/limits.h"
 
 namespace calotype {
 namespace {
 
 using gpu::kSamplesPerBlock;
-
-/// The least samples that a render may be judged by: one block of every replica.
-constexpr uint64_t kFirstLook = uint64_t{gpu::kReplicas} * kSamplesPerBlock;
-
-/// Estimating the error takes no more than this share of the time.
-constexpr double kEstimateShare = 0.02;
 
 /// Where the pass ends that begins with `done` samples in every pixel: the first doubles, none
 /// crosses the end of a block, the last sample, or a multiple of `passSamples`.
@@ -31,8 +23,7 @@ uint64_t endOfPass(uint64_t done, uint64_t lastSample, uint32_t passSamples) {
 } // namespace
 
 RenderSession::RenderSession(BlockTracer& tracer, const RenderSettings& settings, Film film)
-    : tracer_(tracer), settings_(settings), film_(std::move(film)),
-      sizer_(std::min(tracer.tileCount(), gpu::kMostTilesPerDispatch)) {
+    : tracer_(tracer), settings_(settings), film_(std::move(film)), passes_(tracer, totals_) {
     CALOTYPE_CHECK_EQ(film_.width(), settings.crop.width);
     CALOTYPE_CHECK_EQ(film_.height(), settings.crop.height);
     CALOTYPE_CHECK_EQ(settings.firstSample % kSamplesPerBlock, 0u);
@@ -84,22 +75,23 @@ std::optional<RenderEnding> RenderSession::renderBlock(uint32_t block, uint32_t 
                                                        const RenderGoal& goal) {
     tracer_.beginBlock(kSamplesPerBlock * block);
     blockIsInFilm_ = false;
-    blockLosses_ = {};
+    passes_.beginBlock();
     const uint64_t before = film_.samplesPerPixel();
     while (totals_.samplesPerPixel < before + blockEnd) {
         const bool isFirst = totals_.samplesPerPixel == 0;
         const uint64_t end = endOfPass(totals_.samplesPerPixel, before + blockEnd, passSamples);
-        if (const auto ending = renderPass(static_cast<uint32_t>(end - before), observer, goal))
+        if (const auto ending = passes_.run(static_cast<uint32_t>(end - before), observer, goal))
             return ending;
         totals_.samplesPerPixel = end;
         if (isFirst)
             totals_.firstSampleSeconds = totals_.seconds;
         const bool isWhole = end - before == kSamplesPerBlock;
         if (isWhole) {
-            film_.addBlock(block, tracer_.readBlock(), blockLosses_);
+            film_.addBlock(block, tracer_.readBlock(), passes_.losses());
             blockIsInFilm_ = true;
             totals_.losses = film_.losses();
-            updateErrorNowAndThen();
+            if (watch_.isDue())
+                error();
         }
         if (observer.onPass)
             observer.onPass(totals_);
@@ -109,62 +101,13 @@ std::optional<RenderEnding> RenderSession::renderBlock(uint32_t block, uint32_t 
     return isGoodEnough(goal) ? std::optional(RenderEnding::TargetError) : std::nullopt;
 }
 
-std::optional<RenderEnding> RenderSession::renderPass(uint32_t sampleEnd,
-                                                      const RenderObserver& observer,
-                                                      const RenderGoal& goal) {
-    uint32_t first = 0;
-    uint32_t count = 0; // of the dispatch that is not finished
-    while (first < tracer_.tileCount()) {
-        if (count == 0)
-            count = std::min(sizer_.tiles(), tracer_.tileCount() - first);
-        const Clock::time_point before = Clock::now();
-        const gpu::RenderCounters counters = tracer_.renderTiles({first, count}, sampleEnd);
-        const double seconds = secondsSince(before);
-        sizer_.update(count, seconds);
-        add(counters);
-        totals_.seconds += seconds;
-        if (counters.unfinishedPixels == 0) {
-            first += count;
-            count = 0;
-        }
-        if (observer.onDispatch)
-            observer.onDispatch(totals_);
-        if (observer.shouldStop && observer.shouldStop())
-            return RenderEnding::Stopped;
-        if (goal.deadline && totals_.samplesPerPixel > 0 && Clock::now() >= *goal.deadline)
-            return RenderEnding::Deadline;
-    }
-    return std::nullopt;
-}
-
-void RenderSession::add(const gpu::RenderCounters& counters) {
-    totals_.rays += counters.rays;
-    totals_.paths += counters.paths;
-    blockLosses_ += {counters.nonFiniteSamples, counters.cutPaths, 0, 0};
-    totals_.losses += {counters.nonFiniteSamples, counters.cutPaths, 0, 0};
-}
-
 const std::optional<ErrorEstimate>& RenderSession::error() {
-    if (samplesJudged_ != film_.samplesPerPixel()) {
-        const Clock::time_point before = Clock::now();
-        totals_.error = estimateError(film_);
-        samplesJudged_ = film_.samplesPerPixel();
-        estimateSeconds_ = secondsSince(before);
-        lastEstimate_ = Clock::now();
-    }
+    watch_.update(film_, film_.samplesPerPixel(), totals_.error);
     return totals_.error;
 }
 
-void RenderSession::updateErrorNowAndThen() {
-    if (samplesJudged_ == 0 || kEstimateShare * secondsSince(lastEstimate_) >= estimateSeconds_)
-        error();
-}
-
 bool RenderSession::isGoodEnough(const RenderGoal& goal) {
-    const uint64_t samples = film_.samplesPerPixel();
-    const bool isLook = samples >= kFirstLook && std::has_single_bit(samples);
-    return goal.targetError && isLook && error() && error()->isTrusted() &&
-           error()->upperBound() <= *goal.targetError;
+    return goal.targetError && isLook(film_.samplesPerPixel()) && isReached(goal, error());
 }
 
 Image RenderSession::picture() {

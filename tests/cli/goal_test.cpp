@@ -171,7 +171,34 @@ TEST_F(GoalTest, SwitchesChangeThePictureAndAreRecorded) {
     }
 }
 
+// Bit for bit the same whatever the threads and previews; and what the reference tracer makes of
+// it.
+TEST_F(GoalTest, AdaptiveIsReproducible) {
+    const auto picture = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments = {"render",          scene_,    "-q",   "-o",
+                                              folder_ / "a.pfm", "--stats", stats_, "--adaptive",
+                                              "--spp",           "256"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const ProgramResult result = runProgram(arguments);
+        EXPECT_EQ(result.exitCode, 0) << result.errors;
+        EXPECT_NEAR(statistics()["spp"].get<double>(), 256.0, 8.0);
+        return readText(folder_ / "a.pfm");
+    };
+    const std::string one = picture({"--threads", "1"});
+    EXPECT_TRUE(picture({"--preview-every", "7", "--preview-file", folder_ / "p.png"}) == one);
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "p.png"));
+    EXPECT_FALSE(picture({"--seed", "4"}) == one);
+    picture({"--device", "reference"});
+    std::filesystem::rename(folder_ / "a.pfm", folder_ / "reference.pfm");
+    picture({});
+    const ProgramResult compared = runProgram(
+        {"compare", folder_ / "a.pfm", folder_ / "reference.pfm", "--max-relmse", "1e-4"});
+    EXPECT_EQ(compared.exitCode, 0) << compared.output;
+}
+
 TEST_F(GoalTest, MistakesAreNamed) {
+    expectFailure(render({"--adaptive", "--samples", "0:64"}), 2, "--samples");
+    expectFailure(render({"--adaptive", "--film", folder_ / "x.film"}), 2, "--adaptive");
     for (const char* target : {"0", "-0.1", "1", "2%", "nan", "x"})
         expectFailure(render({"--target-error", target}), 2, "such as 0.02");
     for (const char* time : {"0s", "-5s", "soon", "5d", "inf", "nan", "1e30h"})

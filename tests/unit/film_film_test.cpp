@@ -219,7 +219,7 @@ TEST(FilmDeathTest, RefusesBlocksThatAreNotWhole) {
     Film film(2, 1, 1.0);
     Block block = uniformBlock(2, glm::vec3(1.0f));
     block[1].w = kWhole - 1;
-    EXPECT_DEATH(addNext(film, block), "check failed: sum.w");
+    EXPECT_DEATH(addNext(film, block), "check failed: blockSums");
     EXPECT_DEATH(addNext(film, uniformBlock(1, glm::vec3(1.0f))), "check failed");
     EXPECT_DEATH(film.picture(uniformBlock(1, glm::vec3(1.0f))), "check failed");
     EXPECT_DEATH(Film(2, 1, 3.0), "check failed");

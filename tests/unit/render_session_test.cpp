@@ -19,7 +19,7 @@ class CountingTracer : public BlockTracer {
 public:
     uint32_t tileCount() const override { return 1; }
 
-    void beginBlock(uint32_t firstSample) override {
+    void beginBlock(uint32_t firstSample, std::span<const uint8_t>) override {
         firstSample_ = firstSample;
         std::ranges::fill(sums_, glm::vec4(0.0f));
     }
@@ -132,8 +132,8 @@ class SettlingTracer : public CountingTracer {
 public:
     explicit SettlingTracer(float noise) : noise_(noise) {}
 
-    void beginBlock(uint32_t firstSample) override {
-        CountingTracer::beginBlock(firstSample);
+    void beginBlock(uint32_t firstSample, std::span<const uint8_t>) override {
+        CountingTracer::beginBlock(firstSample, {});
         block_ = firstSample / gpu::kSamplesPerBlock;
     }
 

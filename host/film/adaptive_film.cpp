@@ -1,0 +1,124 @@
+#include "film/adaptive_film.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "base/check.h"
+
+namespace calotype {
+namespace {
+
+using gpu::kReplicas;
+using gpu::kSamplesPerBlock;
+
+constexpr uint32_t kFirstSurveyBlocks = AdaptiveFilm::kReplicasPerHalf;
+
+} // namespace
+
+AdaptiveFilm::AdaptiveFilm(uint32_t width, uint32_t height, double unit)
+    : width_(width), height_(height), unit_(unit), luminances_(size_t{width} * height * kReplicas) {
+    CALOTYPE_CHECK_EQ(unit, filmUnit(unit));
+    for (Half& half : halves_) {
+        half.colors.resize(size_t{width} * height);
+        half.blocks.resize(size_t{width} * height);
+    }
+    CALOTYPE_CHECK_LT(0u, pixelCount());
+}
+
+void AdaptiveFilm::addBlock(uint32_t block, std::span<const glm::vec4> blockSums,
+                            std::span<const uint8_t> isLeftOut, const FilmLosses& losses) {
+    CALOTYPE_CHECK_EQ(blockSums.size(), pixelCount());
+    CALOTYPE_CHECK_EQ(isLeftOut.size(), pixelCount());
+    CALOTYPE_CHECK_LT(block, Film::kMaxBlocks);
+    losses_ += losses;
+    const uint32_t halfIndex = block % kHalves;
+    Half& half = halves_[halfIndex];
+    const size_t replica = block % kReplicas;
+    for (size_t i = 0; i < pixelCount(); ++i) {
+        if (isLeftOut[i] != 0)
+            continue;
+        CALOTYPE_CHECK_EQ(half.blocks[i], block / kHalves);
+        CALOTYPE_CHECK_EQ(blockSums[i].w, float{kSamplesPerBlock});
+        if (const auto term = toFilmTerm(blockSums[i], unit_, losses_)) {
+            half.colors[i] += term->color;
+            luminances_[replica * pixelCount() + i] += term->luminance;
+        }
+        samples_ += kSamplesPerBlock;
+        if (++half.blocks[i] >= kFirstSurveyBlocks && std::has_single_bit(half.blocks[i]))
+            recordSurvey(halfIndex, i);
+    }
+}
+
+/// The half's replicas have as many samples each.
+void AdaptiveFilm::recordSurvey(uint32_t half, size_t pixel) {
+    const auto level =
+        static_cast<uint32_t>(std::countr_zero(halves_[half].blocks[pixel] / kFirstSurveyBlocks));
+    if (level < firstSurvey_)
+        return;
+    auto& surveys = halves_[half].surveys;
+    if (surveys.size() <= level)
+        surveys.resize(level + 1);
+    if (surveys[level].empty())
+        surveys[level].resize(pixelCount());
+    std::array<double, kReplicasPerHalf> means{};
+    double mean = 0.0;
+    for (uint32_t i = 0; i < kReplicasPerHalf; ++i) {
+        const uint32_t replica = kHalves * i + half;
+        means[i] = fromFixedPoint(luminances_[replica * pixelCount() + pixel]) /
+                   static_cast<double>(samplesOfReplica(replica, pixel));
+        mean += means[i] / kReplicasPerHalf;
+    }
+    double squares = 0.0;
+    for (const double replicaMean : means)
+        squares += (replicaMean - mean) * (replicaMean - mean);
+    surveys[level][pixel] = {
+        static_cast<float>(mean),
+        static_cast<float>(squares / (kReplicasPerHalf * (kReplicasPerHalf - 1)))};
+}
+
+std::span<const SurveyPixel> AdaptiveFilm::survey(uint32_t half, uint32_t level) const {
+    CALOTYPE_CHECK_LE(firstSurvey_, level);
+    CALOTYPE_CHECK_LE(kFirstSurveyBlocks << level, *std::ranges::min_element(blocksOf(half)));
+    return halves_[half].surveys[level];
+}
+
+void AdaptiveFilm::forgetSurveysBelow(uint32_t level) {
+    firstSurvey_ = std::max(firstSurvey_, level);
+    for (Half& half : halves_)
+        for (uint32_t i = 0; i < std::min<size_t>(level, half.surveys.size()); ++i)
+            half.surveys[i] = {};
+}
+
+uint64_t AdaptiveFilm::samplesOfReplica(uint32_t replica, size_t pixel) const {
+    const uint32_t blocks = halves_[replica % kHalves].blocks[pixel];
+    const uint32_t inHalf = replica / kHalves; // its blocks are inHalf, inHalf + 4, ... of the half
+    return uint64_t{kSamplesPerBlock} *
+           ((blocks + kReplicasPerHalf - 1 - inHalf) / kReplicasPerHalf);
+}
+
+Image AdaptiveFilm::picture(uint32_t half, std::span<const glm::vec4> partialBlock,
+                            std::span<const uint8_t> isLeftOut) const {
+    Image image(width_, height_);
+    for (size_t i = 0; i < pixelCount(); ++i) {
+        glm::dvec3 means(0.0);
+        double count = 0.0; // of the halves that have samples
+        for (uint32_t h = 0; h < kHalves; ++h) {
+            glm::dvec3 sum = unit_ * halves_[h].colors[i].value();
+            double samples = double{kSamplesPerBlock} * halves_[h].blocks[i];
+            if (h == half && !partialBlock.empty() && isLeftOut[i] == 0) {
+                FilmLosses ignored;
+                samples += partialBlock[i].w;
+                if (toFilmTerm(partialBlock[i], unit_, ignored))
+                    sum += glm::dvec3(partialBlock[i]);
+            }
+            if (samples > 0.0) {
+                means += sum / samples;
+                count += 1.0;
+            }
+        }
+        image.pixels[i] = count > 0.0 ? glm::vec3(means / count) : glm::vec3(0.0f);
+    }
+    return image;
+}
+
+} // namespace calotype
