@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/check.h"
-#include "cli/progress.h"
+#include "base/number_text.h"
 
 namespace calotype {
 namespace {

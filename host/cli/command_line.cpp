@@ -95,6 +95,32 @@ CLI::App& addInfoCommand(CLI::App& app, InfoOptions& options) {
     return command;
 }
 
+CLI::App& addStudyCommand(CLI::App& app, StudyOptions& options) {
+    CLI::App& command = *app.add_subcommand(
+        "study", "Measure what each setting costs and gives for a scene, and say what to choose");
+    addSceneOptions(command, options.scene);
+    const auto parseBudget = [](const std::string& text) {
+        return parseDuration("--budget", text);
+    };
+    addParsed(command, "--budget", options.budget, parseBudget,
+              "Time for all of it: 90s, 5m (the default), 1h", "5m");
+    command
+        .add_option("-o,--output", options.folder,
+                    "Folder for study.csv, study.svg and study.html (default: study-SCENE)")
+        ->type_name("DIR");
+    addParsed(command, "--size", options.size, parseSize,
+              "Size of the pictures (default: the scene's, or smaller where time is short)", "WxH");
+    command.add_flag("-q,--quiet", options.quiet, "No progress, only warnings and errors")
+        ->multi_option_policy(CLI::MultiOptionPolicy::Throw);
+    addDeviceOptions(command, options.device,
+                     "; \"reference\": the reference tracer, in double precision on the CPU");
+    command.footer(
+        "Two fifths of the time go to a reference, the rest in equal parts to the default settings "
+        "and to\nchanges of one of them, and last to those together that were for the better. "
+        "Ctrl-C keeps what was\nmeasured so far.");
+    return command;
+}
+
 CLI::App& addBenchCommand(CLI::App& app, BenchOptions& options) {
     CLI::App& command = *app.add_subcommand("bench", "Measure how fast scenes are rendered");
     command
@@ -137,12 +163,14 @@ int parseAndRun(int argc, char** argv) {
     InfoOptions infoOptions;
     MergeOptions mergeOptions;
     CompareOptions compareOptions;
+    StudyOptions studyOptions;
     BenchOptions benchOptions;
     DeviceOptions devicesOptions;
     CLI::App& render = addRenderCommand(app, renderOptions);
     CLI::App& info = addInfoCommand(app, infoOptions);
     CLI::App& merge = addMergeCommand(app, mergeOptions);
     CLI::App& compare = addCompareCommand(app, compareOptions);
+    CLI::App& study = addStudyCommand(app, studyOptions);
     CLI::App& bench = addBenchCommand(app, benchOptions);
     CLI::App& devices = *app.add_subcommand("devices", "List devices and say which one is taken");
     addDeviceOptions(devices, devicesOptions);
@@ -154,14 +182,15 @@ int parseAndRun(int argc, char** argv) {
         throw UsageError(std::string(error.what()) + " (see calotype --help)");
     }
     if (app.get_subcommands().empty())
-        throw UsageError(
-            "a command is required: render, info, merge, compare, bench or devices (see calotype "
-            "--help)");
+        throw UsageError("a command is required: render, info, merge, compare, study, bench or "
+                         "devices (see calotype "
+                         "--help)");
     if (render.parsed())
         return renderCommand(renderOptions);
     const int code = info.parsed()      ? infoCommand(infoOptions)
                      : merge.parsed()   ? mergeCommand(mergeOptions)
                      : compare.parsed() ? compareCommand(compareOptions)
+                     : study.parsed()   ? studyCommand(studyOptions)
                      : bench.parsed()   ? benchCommand(benchOptions)
                                         : devicesCommand(devicesOptions);
     if (std::fflush(stdout) != 0)

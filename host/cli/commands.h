@@ -10,6 +10,7 @@ int infoCommand(const InfoOptions& options);     ///< of a scene, or of a film b
 int filmInfoCommand(const InfoOptions& options); ///< its path is that of a film
 int mergeCommand(const MergeOptions& options);
 int compareCommand(const CompareOptions& options);
+int studyCommand(const StudyOptions& options);
 int benchCommand(const BenchOptions& options);
 int devicesCommand(const DeviceOptions& options);
 

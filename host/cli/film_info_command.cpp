@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/hexadecimal.h"
+#include "base/number_text.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
-#include "cli/progress.h"
 #include "cli/statistics.h"
 #include "film/film_file.h"
 #include "shared/limits.h"

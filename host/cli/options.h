@@ -101,6 +101,15 @@ struct MergeOptions {
     LayerOptions layers;
 };
 
+struct StudyOptions {
+    SceneOptions scene;
+    DeviceOptions device;
+    std::optional<PictureSize> size; ///< none: as large as leaves time for a good reference
+    double budget = 300.0;           ///< seconds, for all of it
+    std::string folder;              ///< empty: by the scene's name
+    bool quiet = false;
+};
+
 struct BenchOptions {
     std::vector<std::string> scenes; ///< paths; none: scenes made for it
     std::vector<SceneOverride> overrides;

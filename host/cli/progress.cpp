@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <unistd.h>
 
+#include "base/number_text.h"
 #include "base/stopwatch.h"
 
 namespace calotype {
@@ -14,12 +15,6 @@ constexpr std::chrono::milliseconds kBarInterval(100);
 constexpr std::chrono::seconds kLineInterval(10);
 constexpr std::chrono::seconds kPatience(1); ///< before loading and building are worth a word
 
-std::string formatted(const char* format, double value) {
-    char text[64];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
-}
-
 std::string bar(double done) {
     constexpr int kWidth = 24;
     const int filled = static_cast<int>(std::floor(kWidth * std::clamp(done, 0.0, 1.0)));
@@ -27,41 +22,6 @@ std::string bar(double done) {
 }
 
 } // namespace
-
-std::string withPrefix(double number) {
-    const char* prefixes[] = {"", " k", " M", " G", " T"};
-    size_t prefix = 0;
-    for (; number >= 999.5 && prefix + 1 < std::size(prefixes); ++prefix)
-        number /= 1000.0;
-    return formatted(number < 9.995   ? "%.2f"
-                     : number < 99.95 ? "%.1f"
-                                      : "%.0f",
-                     number) +
-           prefixes[prefix];
-}
-
-std::string percentText(double share) {
-    const double percent = 100.0 * share;
-    return formatted(percent < 9.995   ? "%.2f %%"
-                     : percent < 99.95 ? "%.1f %%"
-                                       : "%.0f %%",
-                     percent);
-}
-
-std::string durationText(double seconds) {
-    if (seconds < 9.95)
-        return formatted("%.1f s", seconds);
-    const auto whole = static_cast<long>(std::lround(std::min(seconds, 1e9)));
-    if (whole < 60)
-        return std::to_string(whole) + " s";
-    char text[64];
-    if (whole < 3600)
-        std::snprintf(text, sizeof text, "%ld:%02ld", whole / 60, whole % 60);
-    else
-        std::snprintf(text, sizeof text, "%ld:%02ld:%02ld", whole / 3600, whole / 60 % 60,
-                      whole % 60);
-    return text;
-}
 
 Progress::Progress(bool quiet, const RenderPlan& plan)
     : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0), plan_(plan) {}

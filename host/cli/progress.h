@@ -51,13 +51,4 @@ private:
     Clock::time_point lastShown_ = Clock::now();
 };
 
-/// "1.25 M", "830", "12.1 k": three digits and a prefix.
-std::string withPrefix(double number);
-
-/// "1.93 %": a relative error.
-std::string percentText(double share);
-
-/// "0.8 s", "12 s", "3:05" or "2:04:10".
-std::string durationText(double seconds);
-
 } // namespace calotype

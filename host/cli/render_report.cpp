@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "cli/progress.h"
+#include "base/number_text.h"
 
 namespace calotype {
 namespace {

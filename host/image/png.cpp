@@ -18,23 +18,31 @@ void append(void* bytes, void* data, int size) {
 
 } // namespace
 
-void writePng(const std::filesystem::path& path, const Rgb8Image& image) {
+std::string encodePng(const Rgb8Image& image) {
     CALOTYPE_CHECK_LT(0u, image.pixels.size());
     constexpr int kChannels = 3;
 
     // stb counts bytes in int, one more per row, in a buffer that doubles as it grows.
     const uint64_t bytesToPack = (uint64_t{image.width} * kChannels + 1) * image.height;
     if (bytesToPack > std::numeric_limits<int>::max() / 2)
-        throw OutputError("cannot write '" + path.string() + "': " + std::to_string(image.width) +
-                          " x " + std::to_string(image.height) +
+        throw OutputError(std::to_string(image.width) + " x " + std::to_string(image.height) +
                           " pixels are too many for a PNG; use .exr or .pfm");
     std::string bytes;
     const int width = static_cast<int>(image.width);
     const int height = static_cast<int>(image.height);
     if (!stbi_write_png_to_func(append, &bytes, width, height, kChannels, image.pixels.data(),
                                 width * kChannels))
-        throw OutputError("cannot write '" + path.string() +
-                          "': not enough memory to compress the PNG; use .exr or .pfm");
+        throw OutputError("not enough memory to compress the PNG; use .exr or .pfm");
+    return bytes;
+}
+
+void writePng(const std::filesystem::path& path, const Rgb8Image& image) {
+    std::string bytes;
+    try {
+        bytes = encodePng(image);
+    } catch (const OutputError& error) {
+        throw OutputError("cannot write '" + path.string() + "': " + error.what());
+    }
     writeFileAtomically(path, bytes);
 }
 

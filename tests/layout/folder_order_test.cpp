@@ -49,7 +49,7 @@ std::set<std::string> includedFolders(const fs::path& file) {
 TEST(FolderOrderTest, HostIncludesOnlyToTheLeft) {
     const std::vector<std::string> order = {"base",      "math",   "image", "scene", "accel",
                                             "shared",    "pack",   "gpu",   "film",  "kernels",
-                                            "reference", "render", "cli"};
+                                            "reference", "render", "study", "cli"};
     std::map<std::string, long> place;
     for (const std::string& folder : order)
         place[folder] = std::find(order.begin(), order.end(), folder) - order.begin();

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+namespace calotype {
+
+/// "1.25 M", "830", "12.1 k": three digits and a prefix.
+std::string withPrefix(double number);
+
+/// "1.93 %": a relative error.
+std::string percentText(double share);
+
+/// "2 %": one that was asked for, with no more digits than it takes.
+std::string targetText(double share);
+
+/// "0.8 s", "12 s", "3:05" or "2:04:10".
+std::string durationText(double seconds);
+
+} // namespace calotype

@@ -1,0 +1,116 @@
+#include "study/advice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "base/number_text.h"
+
+namespace calotype {
+namespace {
+
+/// Differences of less than this are noise.
+constexpr double kNoise = 0.1;
+
+std::string times(double ratio) {
+    char text[32];
+    std::snprintf(text, sizeof text, ratio < 9.95 ? "%.2f" : "%.0f", ratio);
+    return text;
+}
+
+bool isNoise(double ratio) { return std::abs(std::log(ratio)) < kNoise; }
+
+double secondsPerSample(const CurvePoint& point) {
+    return point.seconds / static_cast<double>(point.samples);
+}
+
+/// The last point of both curves with as many samples, but for a tenth, and known errors.
+std::optional<double> errorRatio(const Measurement& variant, const Measurement& usual) {
+    for (auto mine = variant.curve.rbegin(); mine != variant.curve.rend(); ++mine)
+        for (const CurvePoint& other : usual.curve) {
+            const double ratio =
+                static_cast<double>(mine->samples) / static_cast<double>(other.samples);
+            if (mine->error && other.error && isNoise(ratio))
+                return *mine->error / *other.error * std::sqrt(ratio);
+        }
+    return std::nullopt;
+}
+
+} // namespace
+
+Comparison compare(const Measurement& variant, const Measurement& usual) {
+    Comparison comparison;
+    if (variant.last().samples > 0 && usual.last().samples > 0)
+        comparison.timePerSample =
+            secondsPerSample(variant.last()) / secondsPerSample(usual.last());
+    comparison.error = errorRatio(variant, usual);
+    if (variant.last().error && usual.last().error) {
+        const double both = std::max(*variant.last().error, *usual.last().error);
+        const auto mine = variant.secondsTo(both);
+        const auto others = usual.secondsTo(both);
+        if (mine && others)
+            comparison.time = *mine / *others;
+    }
+    return comparison;
+}
+
+std::string sentenceOf(const Measurement& variant, const Measurement& usual) {
+    const Comparison comparison = compare(variant, usual);
+    std::string text;
+    if (comparison.timePerSample)
+        text += "A sample takes " + times(*comparison.timePerSample) + " times as long";
+    if (comparison.error)
+        text += (text.empty() ? "The error is " : "; at as many samples the error is ") +
+                times(*comparison.error) + " of the default's";
+    if (!text.empty())
+        text += ". ";
+    if (comparison.time)
+        text += isNoise(*comparison.time)
+                    ? "To the same error it takes as long, as far as can be told. "
+                    : "To the same error it takes " + times(*comparison.time) + " times as long. ";
+    if (variant.variant.losesLight) {
+        const bool isSeen = std::abs(variant.brighter) > 3.0 * variant.brighterError;
+        text += isSeen
+                    ? "It loses light: the picture is " + percentText(std::abs(variant.brighter)) +
+                          (variant.brighter < 0.0 ? " darker" : " brighter") +
+                          ", and the error never falls below " + percentText(variant.floor()) + "."
+                    : "It may lose light; here none was seen to be missing.";
+    }
+    const double build = variant.buildSeconds - usual.buildSeconds;
+    const double compile = variant.compileSeconds - usual.compileSeconds;
+    const double longer = build + compile;
+    if (std::abs(longer) > std::max(0.2, 0.05 * usual.last().seconds))
+        text += (text.ends_with(' ') ? "" : " ") + std::string("It is ready to start ") +
+                durationText(std::abs(longer)) + (longer < 0.0 ? " sooner." : " later.");
+    while (text.ends_with(' '))
+        text.pop_back();
+    return text;
+}
+
+std::vector<Choice> choicesOf(const Study& study) {
+    std::vector<Choice> choices;
+    for (const double target : kTargets) {
+        Choice choice{target, nullptr, 0.0, std::nullopt};
+        for (const Measurement& measurement : study.measurements) {
+            if (measurement.floor() > 0.5 * target)
+                continue;
+            const auto seconds = measurement.secondsTo(target);
+            const bool isUsual = &measurement == &study.measurements.front();
+            if (isUsual)
+                choice.usual = seconds;
+            // A kernel of everything is no choice: it is there to be compared.
+            if (!seconds || (!isUsual && measurement.variant.options.empty()))
+                continue;
+            const double most = choice.usual ? (1.0 - kNoise) * *choice.usual : *seconds;
+            const bool isBetter = !choice.measurement || *seconds < choice.seconds;
+            if (isUsual || (isBetter && *seconds <= most)) {
+                choice.measurement = &measurement;
+                choice.seconds = *seconds;
+            }
+        }
+        choices.push_back(choice);
+    }
+    return choices;
+}
+
+} // namespace calotype

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "study/study.h"
+
+namespace calotype {
+
+/// What a variant costs and gives beside the usual settings.
+struct Comparison {
+    std::optional<double> timePerSample; ///< of the variant, over that of the usual settings
+    std::optional<double> error;         ///< at as many samples, likewise
+    std::optional<double> time;          ///< to the same error, likewise
+};
+Comparison compare(const Measurement& variant, const Measurement& usual);
+
+/// A sentence or two: what the variant costs and gives.
+std::string sentenceOf(const Measurement& variant, const Measurement& usual);
+
+/// What a study would choose to reach an error.
+struct Choice {
+    double target = 0.0;
+    const Measurement* measurement = nullptr; ///< null: nothing gets there
+    double seconds = 0.0;                     ///< of sampling, in the study's size
+    std::optional<double> usual;              ///< that the usual settings would take
+};
+
+inline constexpr std::array kTargets = {0.05, 0.02, 0.01};
+
+/// For each of kTargets: the usual settings unless another variant needs a tenth less time, and
+/// what light it loses is less than half of the error.
+std::vector<Choice> choicesOf(const Study& study);
+
+} // namespace calotype

@@ -1,0 +1,40 @@
+#include "study/csv.h"
+
+#include <cstdio>
+#include <optional>
+
+namespace calotype {
+namespace {
+
+std::string number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
+
+std::string number(const std::optional<double>& value) { return value ? number(*value) : ""; }
+
+std::string quoted(const std::string& text) {
+    std::string result = "\"";
+    for (const char c : text)
+        result += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return result + '"';
+}
+
+} // namespace
+
+std::string toCsv(const Study& study) {
+    std::string csv = "variant,options,samples_per_pixel,seconds,error,stated_error,build_seconds,"
+                      "compile_seconds,brighter,brighter_standard_error\n";
+    for (const Measurement& measurement : study.measurements)
+        for (const CurvePoint& point : measurement.curve)
+            csv += quoted(measurement.variant.name) + ',' + quoted(measurement.variant.options) +
+                   ',' + std::to_string(point.samples) + ',' + number(point.seconds) + ',' +
+                   number(point.error) + ',' + number(point.stated) + ',' +
+                   number(measurement.buildSeconds) + ',' + number(measurement.compileSeconds) +
+                   ',' + number(measurement.brighter) + ',' + number(measurement.brighterError) +
+                   '\n';
+    return csv;
+}
+
+} // namespace calotype

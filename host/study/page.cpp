@@ -1,0 +1,281 @@
+#include "study/page.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+
+#include "base/number_text.h"
+#include "film/display_transform.h"
+#include "image/difference_picture.h"
+#include "image/false_color.h"
+#include "study/advice.h"
+#include "study/markup.h"
+#include "study/plot.h"
+
+namespace calotype {
+namespace {
+
+constexpr const char* kStyle = R"(
+:root { color-scheme: light dark; --paper: #fff; --ink: #222; --faint: #6b7280; --line: #8884; }
+@media (prefers-color-scheme: dark) { :root { --paper: #16181c; --ink: #ddd; --faint: #9aa3ad; } }
+body { margin: 0 auto; padding: 1rem; max-width: 62rem; background: var(--paper);
+  color: var(--ink); font: 1rem/1.5 system-ui, sans-serif; overflow-wrap: break-word; }
+h1 { font-size: 1.5rem; line-height: 1.2; } h2 { font-size: 1.15rem; margin-top: 2.2rem; }
+p, li { max-width: 44rem; } .faint { color: var(--faint); font-size: 0.9rem; }
+.wide { overflow-x: auto; } table { border-collapse: collapse; font-size: 0.92rem; }
+th, td { text-align: left; padding: 0.3rem 0.9rem 0.3rem 0; border-bottom: 1px solid var(--line);
+  vertical-align: top; } th { font-weight: 600; }
+code { font: 0.88em ui-monospace, monospace; } dt code, td code { white-space: nowrap; }
+svg { width: 100%; max-width: 40rem; height: auto; display: block; }
+dl { margin: 0; } dt { font-weight: 600; margin-top: 0.9rem; } dd { margin: 0; max-width: 44rem; }
+.swatch { display: inline-block; width: 0.8em; height: 0.8em; border-radius: 2px;
+  margin-right: 0.45em; }
+.pictures { display: grid; grid-template-columns: repeat(auto-fill, minmax(9.5rem, 1fr));
+  gap: 0.9rem; }
+figure { margin: 0; } figure img { width: 100%; display: block; image-rendering: pixelated; }
+figure img + img { margin-top: 2px; }
+figcaption { font-size: 0.82rem; line-height: 1.35; margin-top: 0.3rem; }
+.scale { display: flex; margin-bottom: 0.6rem; flex-wrap: wrap; gap: 0.2rem 0.9rem; font-size: 0.85rem; }
+)";
+
+std::string tag(const std::string& name, const std::string& contents) {
+    return "<" + name + ">" + contents + "</" + name + ">\n";
+}
+
+std::string faint(const std::string& contents) {
+    return "<p class=\"faint\">" + contents + "</p>\n";
+}
+
+std::string swatch(const std::string& color) {
+    return "<span class=\"swatch\" style=\"background:" + color + "\"></span>";
+}
+
+std::string hexColor(glm::u8vec3 color) {
+    char text[8];
+    std::snprintf(text, sizeof text, "#%02x%02x%02x", color.r, color.g, color.b);
+    return text;
+}
+
+std::string display(const Image& image) {
+    return dataUri(toDisplay(image, {0.0f, ToneMap::Neutral}));
+}
+
+std::string code(const std::string& text) { return "<code>" + escaped(text) + "</code>"; }
+
+/// Options of the command line, each of which stays on one line.
+std::string optionCode(const std::string& options) {
+    std::string html;
+    for (size_t begin = 0; begin < options.size();) {
+        const size_t next = options.find(" --", begin);
+        if (!html.empty())
+            html += ' ';
+        html += code(options.substr(begin, next - begin));
+        begin = next == std::string::npos ? options.size() : next + 1;
+    }
+    return html;
+}
+
+/// Numbers stay with their units.
+std::string withFixedUnits(std::string html) {
+    for (const std::string unit : {" %", " s"})
+        for (size_t at = html.find(unit); at != std::string::npos; at = html.find(unit, at + 1)) {
+            const bool isUnit =
+                at > 0 && std::isdigit(static_cast<unsigned char>(html[at - 1])) &&
+                (at + 2 == html.size() || !std::isalpha(static_cast<unsigned char>(html[at + 2])));
+            if (isUnit)
+                html.replace(at, 1, "\u00a0");
+        }
+    return html;
+}
+
+std::string errorText(const std::optional<double>& error) {
+    return error ? "error " + percentText(*error) : "error below what the reference can tell";
+}
+
+std::string figure(const std::string& pictures, const std::string& caption) {
+    return "<figure>" + pictures + "<figcaption>" + caption + "</figcaption></figure>\n";
+}
+
+std::string image(const std::string& uri, const std::string& words) {
+    return "<img src=\"" + uri + "\" alt=\"" + escaped(words) + "\">";
+}
+
+/// A page that is being put together.
+class Page {
+public:
+    Page(const Study& study, const StudyOrigin& origin)
+        : study_(study), origin_(origin), referencePart_(middleOf(study.reference->picture)) {}
+
+    std::string text() const {
+        const std::string title = "What the settings buy: " + escaped(origin_.scene);
+        return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+               "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n" +
+               tag("title", title) + tag("style", kStyle) + "</head>\n<body>\n" + tag("h1", title) +
+               facts() + choices() + plot() + sentences() + equalTime() + equalError() +
+               "</body>\n</html>\n";
+    }
+
+private:
+    const Measurement& usual() const { return study_.measurements.front(); }
+
+    std::string facts() const {
+        const Reference& reference = *study_.reference;
+        const RenderSettings& render = study_.usual.render;
+        std::string words = "Rendered by " + escaped(origin_.device) + " at " +
+                            std::to_string(render.width) + " x " + std::to_string(render.height) +
+                            " pixels, " + std::to_string(render.maxBounces) +
+                            " bounces. Errors are relative, at 95 % confidence, measured against a "
+                            "reference of " +
+                            std::to_string(reference.samples) +
+                            " samples per pixel, whose own is " + percentText(reference.error) +
+                            ".";
+        if (!study_.isWhole)
+            words += " The study was stopped before its end.";
+        std::string html = tag("p", words);
+        if (!reference.isTrusted)
+            html += tag("p", "<strong>The reference is not to be trusted</strong>: its light comes "
+                             "by rare bright samples, or it has too few of any. More light may be "
+                             "missing from it, and the figures below with it. A longer budget "
+                             "helps.");
+        return html;
+    }
+
+    std::string choices() const {
+        std::string rows = "<tr><th>error</th><th>settings</th><th>time here</th>"
+                           "<th>by default</th><th>in the scene's size</th></tr>\n";
+        for (const Choice& choice : choicesOf(study_)) {
+            std::string row = tag("td", targetText(choice.target));
+            if (choice.measurement) {
+                const std::string& options = choice.measurement->variant.options;
+                row += tag("td", options.empty() ? "the default" : optionCode(options)) +
+                       tag("td", durationText(choice.seconds)) +
+                       tag("td", choice.usual ? durationText(*choice.usual) : "never") +
+                       tag("td", durationText(choice.seconds * study_.scale));
+            } else {
+                row += "<td colspan=\"4\">not known: the time was too short</td>";
+            }
+            rows += tag("tr", row);
+        }
+        return tag("h2", "What I would choose") + "<div class=\"wide\"><table>" + rows +
+               "</table></div>\n" +
+               faint(
+                   "Seconds of sampling until the error is that; past the longest render measured, "
+                   "as the root of time has it. " +
+                   code(origin_.command + " --target-error 0.02") +
+                   " stops by itself, at the next doubling of the samples.");
+    }
+
+    std::string plot() const {
+        return tag("h2", "Error against time") + toSvg(study_, origin_.scene) +
+               faint("Dashed: loses light by design, so its error stays above a floor. Lines end "
+                     "where the reference cannot tell.");
+    }
+
+    std::string sentences() const {
+        std::string list;
+        for (size_t i = 0; i < study_.measurements.size(); ++i) {
+            const Measurement& measurement = study_.measurements[i];
+            const std::string& options = measurement.variant.options;
+            std::string term = swatch(variantColor(i)) + escaped(measurement.variant.name);
+            if (!options.empty())
+                term.append(" ").append(optionCode(options));
+            list += tag("dt", term);
+            list += tag("dd", i == 0 ? defaultSentence() : sentenceOf(measurement, usual()));
+        }
+        return tag("h2", "What each setting costs and gives") + "<dl>" + list + "</dl>\n" +
+               faint("One render each, in turn: differences of a tenth are "
+                     "noise. Ratios are to the default.");
+    }
+
+    std::string defaultSentence() const {
+        const CurvePoint& last = usual().last();
+        return std::to_string(last.samples) + " samples per pixel in " +
+               durationText(last.seconds) + ": " + errorText(last.error) +
+               (last.stated ? "; it said " + percentText(*last.stated) +
+                                  (usual().isTrusted ? "" : ", not to be trusted")
+                            : "") +
+               ".";
+    }
+
+    std::string picturesOf(const CurvePoint& point, const std::string& name) const {
+        return image(display(point.part), name) +
+               image(dataUri(differencePicture(point.part, referencePart_)),
+                     "errors of " + name + " in false colours");
+    }
+
+    std::string scale() const {
+        std::string html;
+        for (const auto& [label, value] :
+             {std::pair{"0.1 %", 1e-3}, {"1 %", 1e-2}, {"10 %", 0.1}, {"100 %", 1.0}}) {
+            const double place = std::log(value / DifferenceScale::kLeast) /
+                                 std::log(DifferenceScale::kMost / DifferenceScale::kLeast);
+            html += "<span>" + swatch(hexColor(falseColor(place))) + label + "</span>";
+        }
+        return "<div class=\"scale\">" + html + "</div>\n";
+    }
+
+    std::string equalTime() const {
+        std::string figures =
+            figure(image(display(referencePart_), "the reference"),
+                   "<strong>the reference</strong><br>" + durationText(study_.reference->seconds) +
+                       ", error " + percentText(study_.reference->error));
+        for (const Measurement& measurement : study_.measurements)
+            figures += figure(picturesOf(measurement.last(), measurement.variant.name),
+                              caption(measurement, measurement.last()));
+        return tag("h2", "Pictures at equal time") +
+               tag("p", "Each after " + durationText(usual().last().seconds) +
+                            " of sampling; below it, how far each pixel is from the reference:") +
+               scale() + "<div class=\"pictures\">" + figures + "</div>\n";
+    }
+
+    /// An error that every variant without a floor came below.
+    std::optional<double> commonError() const {
+        std::optional<double> error;
+        for (const Measurement& measurement : study_.measurements)
+            if (!measurement.variant.losesLight && measurement.last().error)
+                error = std::max(error.value_or(0.0), *measurement.last().error);
+        return error;
+    }
+
+    std::string equalError() const {
+        const auto wanted = commonError();
+        if (!wanted)
+            return "";
+        std::string figures;
+        for (const Measurement& measurement : study_.measurements) {
+            const CurvePoint* nearest = nullptr;
+            const auto distance = [&](const CurvePoint& point) {
+                return std::abs(std::log(*point.error / *wanted));
+            };
+            for (const CurvePoint& point : measurement.curve)
+                if (point.error && (!nearest || distance(point) < distance(*nearest)))
+                    nearest = &point;
+            if (nearest)
+                figures += figure(picturesOf(*nearest, measurement.variant.name),
+                                  caption(measurement, *nearest));
+        }
+        return tag("h2", "Pictures at equal error") +
+               tag("p", "Of each curve the point nearest to an error of " + percentText(*wanted) +
+                            ", and what it took:") +
+               scale() + "<div class=\"pictures\">" + figures + "</div>\n";
+    }
+
+    static std::string caption(const Measurement& measurement, const CurvePoint& point) {
+        return "<strong>" + escaped(measurement.variant.name) + "</strong><br>" +
+               durationText(point.seconds) + ", " + std::to_string(point.samples) + " samples<br>" +
+               errorText(point.error);
+    }
+
+    const Study& study_;
+    const StudyOrigin& origin_;
+    Image referencePart_;
+};
+
+} // namespace
+
+std::string toHtml(const Study& study, const StudyOrigin& origin) {
+    return withFixedUnits(Page(study, origin).text());
+}
+
+} // namespace calotype

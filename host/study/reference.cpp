@@ -1,0 +1,56 @@
+#include "study/reference.h"
+
+#include <cmath>
+#include <limits>
+
+#include "math/luminance.h"
+
+namespace calotype {
+namespace {
+
+constexpr double kNormalInterval = 1.96; // as in ErrorEstimate
+
+/// Below so many times the reference's own error nothing can be said of a picture's.
+constexpr double kResolution = 1.0;
+
+double square(double x) { return x * x; }
+
+} // namespace
+
+Reference::Reference(Session& session) : picture(session.picture()) {
+    for (const glm::vec3& pixel : picture.pixels)
+        luminances.push_back(luminance(glm::dvec3(pixel)));
+    const MeanLuminance all = meanLuminance(picture, session.pixelErrors());
+    mean = all.mean;
+    meanError = all.standardError;
+    const auto& estimate = session.error();
+    error = estimate ? estimate->relative : std::numeric_limits<double>::infinity();
+    isTrusted = estimate && estimate->isTrusted();
+    samples = session.totals().samplesPerPixel;
+    seconds = session.totals().seconds;
+}
+
+std::optional<double> Reference::errorOf(const Image& image) const {
+    double sum = 0.0;
+    for (size_t i = 0; i < luminances.size(); ++i)
+        sum += square(luminance(glm::dvec3(image.pixels[i])) - luminances[i]) /
+               (square(luminances[i]) + square(0.01 * mean));
+    const double measured = square(kNormalInterval) * sum / static_cast<double>(luminances.size());
+    const double left = measured - square(error);
+    if (!(left > square(kResolution * error)))
+        return std::nullopt;
+    return std::sqrt(left);
+}
+
+MeanLuminance meanLuminance(const Image& image, const std::vector<PixelError>& errors) {
+    double sum = 0.0;
+    double variance = 0.0;
+    for (size_t i = 0; i < image.pixels.size(); ++i) {
+        sum += luminance(glm::dvec3(image.pixels[i]));
+        variance += square(errors[i].standardError);
+    }
+    const auto count = static_cast<double>(image.pixels.size());
+    return {sum / count, std::sqrt(variance) / count};
+}
+
+} // namespace calotype

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "image/image.h"
+#include "image/pixel_error.h"
+#include "render/session.h"
+
+namespace calotype {
+
+/// The picture that a study measures errors by.
+struct Reference {
+    Image picture;
+    std::vector<double> luminances;
+    double mean = 0.0;      ///< luminance
+    double meanError = 0.0; ///< standard error of that
+    double error = 0.0;     ///< ErrorEstimate::relative
+    bool isTrusted = false;
+    uint64_t samples = 0; ///< per pixel
+    double seconds = 0.0;
+
+    /// Of a session that has at least one block of two replicas.
+    explicit Reference(Session& session);
+
+    /// CurvePoint::error of a picture of the same size.
+    std::optional<double> errorOf(const Image& image) const;
+};
+
+/// Mean luminance of a picture, and the standard error that its pixels' errors give it.
+struct MeanLuminance {
+    double mean = 0.0;
+    double standardError = 0.0;
+};
+MeanLuminance meanLuminance(const Image& image, const std::vector<PixelError>& errors);
+
+} // namespace calotype

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "accel/build_bvh.h"
+#include "render/render_settings.h"
+#include "scene/transport.h"
+
+namespace calotype {
+
+/// All that a study may choose for a render.
+struct StudySettings {
+    RenderSettings render;
+    LightChoice lightChoice = LightChoice::Power;
+    BvhBuilder bvh = BvhBuilder::Sah;
+    bool compilesEverything = false; ///< of the kernel, whatever the scene needs
+    bool adapts = false;
+};
+
+/// One way to render that a study tries: the usual settings but for a change.
+struct Variant {
+    std::string name;        ///< "independent samples"
+    std::string options;     ///< of the command line; empty where it has none
+    bool losesLight = false; ///< by design: its picture tends to another one
+    std::function<void(StudySettings&)> change;
+
+    StudySettings settings(StudySettings usual) const {
+        if (change)
+            change(usual);
+        return usual;
+    }
+};
+
+/// What a study tries, the usual settings first, the report's last. `usual` are of the scene, and
+/// `mean` is the picture's mean radiance, W/(m^2 sr).
+std::vector<Variant> variantsOf(const StudySettings& usual, double mean);
+
+/// All of these changes at once.
+Variant together(const std::vector<Variant>& variants);
+
+} // namespace calotype

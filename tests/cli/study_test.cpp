@@ -1,0 +1,84 @@
+// calotype study: what it writes, what it says, and what is left of it when it is interrupted.
+#include <csignal>
+#include <filesystem>
+#include <sstream>
+
+#include "cli/cli_test.h"
+
+namespace calotype::test {
+namespace {
+
+class StudyTest : public CliTest {
+protected:
+    ProgramResult study(const std::vector<std::string>& more, const ProgramOptions& options = {}) {
+        std::vector<std::string> arguments = {"study", scene_, "-q", "-o", folder_ / "out"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return runProgram(arguments, options);
+    }
+
+    std::string readOutput(const std::string& name) const {
+        return readText((folder_.path() / "out" / name).string());
+    }
+};
+
+TEST_F(StudyTest, WritesTableAndPlotAndPage) {
+    // Its error is spread over all pixels, so that few samples tell it well.
+    scene_ = std::string(CALOTYPE_SOURCE_DIR) + "/scenes/cornell-box.json";
+    const ProgramResult result = study({"--budget", "10s", "--size", "48x48"});
+    ASSERT_EQ(result.exitCode, 0) << result.errors;
+    EXPECT_LT(result.seconds, 16.0);
+    for (const char* line : {"5 % error: ", "2 % error: ", "1 % error: ", "study.html"})
+        EXPECT_NE(result.output.find(line), std::string::npos) << result.output;
+    const std::string csv = readOutput("study.csv");
+    const std::string page = readOutput("study.html");
+    EXPECT_EQ(readOutput("study.svg").rfind("<svg", 0), 0u);
+    for (const char* option :
+         {"--adaptive", "--sampler independent", "--roulette off", "--mis off", "--max-bounces 3",
+          "--clamp-indirect", "--light-choice uniform", "--bvh median"}) {
+        EXPECT_NE(csv.find(option), std::string::npos) << option;
+        EXPECT_NE(page.find(option), std::string::npos) << option;
+    }
+    // The last line of the default: what the reference says is what the picture said of itself.
+    std::istringstream lines(csv);
+    std::vector<std::string> last;
+    for (std::string line; std::getline(lines, line);)
+        if (line.rfind("\"the default\"", 0) == 0) {
+            std::istringstream fields(line);
+            last.clear();
+            for (std::string field; std::getline(fields, field, ',');)
+                last.push_back(field);
+        }
+    ASSERT_GE(last.size(), 6u);
+    EXPECT_NEAR(std::stod(last[4]) / std::stod(last[5]), 1.0, 0.15) << last[4] << " " << last[5];
+}
+
+TEST_F(StudyTest, InterruptedKeepsWhatItHas) {
+    ProgramOptions options;
+    bool isSent = false;
+    options.whileRunning = [&](int pid, double age) {
+        if (!isSent && age > 6.5) // of 10 s the reference takes 4
+            isSent = kill(pid, SIGINT) == 0;
+    };
+    const ProgramResult result = study({"--budget", "10s"}, options);
+    EXPECT_EQ(result.exitCode, 1);
+    EXPECT_LT(result.seconds, 8.5);
+    EXPECT_NE(result.errors.find("what was measured so far is in"), std::string::npos)
+        << result.errors;
+    EXPECT_NE(readOutput("study.html").find("stopped before its end"), std::string::npos);
+    EXPECT_NE(readOutput("study.csv").find("the default"), std::string::npos);
+}
+
+TEST_F(StudyTest, MistakesAreNamed) {
+    expectFailure(study({"--budget", "0"}), 2, "30s, 5m or 2h");
+    expectFailure(study({"--set", "/film/width=0"}), 3, "width");
+    expectFailure(runProgram({"study", folder_ / "none.json", "-o", folder_ / "a"}), 3,
+                  "none.json");
+    folder_.write("file", "");
+    expectFailure(runProgram({"study", scene_, "-o", folder_ / "file"}), 1, "file");
+    const ProgramResult dark = study({"--budget", "5s", "--set", "/lights=[]"});
+    EXPECT_EQ(dark.exitCode, 3);
+    EXPECT_NE(dark.errors.find("no light"), std::string::npos) << dark.errors;
+}
+
+} // namespace
+} // namespace calotype::test
