@@ -117,9 +117,10 @@ public:
         seconds_.firstSample = prepared + totals.firstSampleSeconds;
         writeAll(*session, keeper, writer);
         if (!options_.statsFile.empty())
-            writeFileAtomically(options_.statsFile,
-                                toJson({engine->info(), settings, totals, ending, seconds_,
-                                        engine->deviceBytes(), keeper.label(), engine->tree()}));
+            writeFileAtomically(
+                options_.statsFile,
+                toJson({engine->info(), settings, totals, ending, seconds_, engine->deviceBytes(),
+                        keeper.label(), engine->tree(), options_.adapts}));
         engine->finish();
         reportRender(
             {options_, totals, ending, plan.samplesPerPixel, keeper.path(), engine->cutPixels()});

@@ -45,7 +45,8 @@ uint64_t peakMemoryBytes() {
 }
 
 std::string toJson(const RenderStatistics& statistics) {
-    const auto& [device, settings, totals, ending, seconds, deviceBytes, label, tree] = statistics;
+    const auto& [device, settings, totals, ending, seconds, deviceBytes, label, tree, adapts] =
+        statistics;
     nlohmann::ordered_json json;
     json["version"] = CALOTYPE_VERSION;
     json["device"] = device.name;
@@ -54,6 +55,7 @@ std::string toJson(const RenderStatistics& statistics) {
     json["resolution"] = {settings.width, settings.height};
     json["crop"] = {settings.crop.x, settings.crop.y, settings.crop.width, settings.crop.height};
     json["spp"] = totals.samplesPerPixel;
+    json["adaptive"] = adapts;
     json["ended_by"] = nameOf(ending);
     json["error"] = describeError(totals.error);
     json["max_bounces"] = settings.maxBounces;

@@ -35,6 +35,7 @@ struct RenderStatistics {
     uint64_t deviceBytes = 0;
     const FilmLabel& label;
     const char* tree = ""; ///< RenderEngine::tree
+    bool adapts = false;   ///< samples go where the error is
 };
 
 /// The estimate's numbers, or null where there is none.

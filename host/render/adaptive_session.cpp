@@ -22,8 +22,9 @@ constexpr uint32_t kFirstBlocks = AdaptiveFilm::kReplicasPerHalf;
 /// A survey gets this share of the samples of its round, 1 / 4.
 constexpr uint32_t kSurveyShare = 4;
 
-/// No pixel gets more than so many times the mean.
+/// No pixel gets more than so many times the mean, or than a film can hold.
 constexpr uint32_t kMostOfMean = 8;
+constexpr uint32_t kMostBlocks = Film::kMaxBlocks / kHalves;
 
 uint32_t blocksFor(uint32_t samples) { return (samples + kSamplesPerStep - 1) / kSamplesPerStep; }
 
@@ -73,9 +74,9 @@ AdaptiveSession::Targets AdaptiveSession::dealOut(uint32_t blocks, uint32_t leve
     Targets targets;
     for (uint32_t half = 0; half < kHalves; ++half) {
         const uint32_t other = 1 - half;
-        targets[half] =
-            allocateBlocks(film_.survey(other, level), film_.width(), film_.blocksOf(half),
-                           kMostOfMean * blocks, uint64_t{blocks} * film_.pixelCount());
+        targets[half] = allocateBlocks(
+            film_.survey(other, level), film_.width(), film_.blocksOf(half),
+            std::min(kMostOfMean * blocks, kMostBlocks), uint64_t{blocks} * film_.pixelCount());
     }
     return targets;
 }

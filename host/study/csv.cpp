@@ -24,16 +24,16 @@ std::string quoted(const std::string& text) {
 } // namespace
 
 std::string toCsv(const Study& study) {
-    std::string csv = "variant,options,samples_per_pixel,seconds,error,stated_error,build_seconds,"
-                      "compile_seconds,brighter,brighter_standard_error\n";
+    std::string csv = "variant,options,samples_per_pixel,seconds,pace,error,stated_error,"
+                      "build_seconds,compile_seconds,brighter,brighter_standard_error\n";
     for (const Measurement& measurement : study.measurements)
         for (const CurvePoint& point : measurement.curve)
             csv += quoted(measurement.variant.name) + ',' + quoted(measurement.variant.options) +
                    ',' + std::to_string(point.samples) + ',' + number(point.seconds) + ',' +
-                   number(point.error) + ',' + number(point.stated) + ',' +
-                   number(measurement.buildSeconds) + ',' + number(measurement.compileSeconds) +
-                   ',' + number(measurement.brighter) + ',' + number(measurement.brighterError) +
-                   '\n';
+                   number(measurement.pace) + ',' + number(point.error) + ',' +
+                   number(point.stated) + ',' + number(measurement.buildSeconds) + ',' +
+                   number(measurement.compileSeconds) + ',' + number(measurement.brighter) + ',' +
+                   number(measurement.brighterError) + '\n';
     return csv;
 }
 

@@ -12,7 +12,7 @@ namespace calotype {
 /// A variant's picture at one moment.
 struct CurvePoint {
     uint64_t samples = 0; ///< per pixel
-    double seconds = 0.0; ///< of sampling
+    double seconds = 0.0; ///< of sampling, at the machine's usual pace
     /// The picture's distance from the reference as ErrorEstimate::relative measures it, less the
     /// reference's own error. None where the reference is not good enough to tell.
     std::optional<double> error;
@@ -24,6 +24,7 @@ struct CurvePoint {
 struct Measurement {
     Variant variant;
     std::vector<CurvePoint> curve; ///< at 1, 2, 4, ... samples, and at the end
+    double pace = 1.0;             ///< the machine's meanwhile, over its usual one
     double buildSeconds = 0.0;     ///< of the BVH, and packing
     double compileSeconds = 0.0;
     /// Mean luminance over that of the reference, less 1, and its standard error.

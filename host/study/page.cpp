@@ -184,8 +184,10 @@ private:
             list += tag("dd", i == 0 ? defaultSentence() : sentenceOf(measurement, usual()));
         }
         return tag("h2", "What each setting costs and gives") + "<dl>" + list + "</dl>\n" +
-               faint("One render each, in turn: differences of a tenth are "
-                     "noise. Ratios are to the default.");
+               faint(
+                   "One render each, in turn: differences of a tenth are noise. Ratios are to the "
+                   "default, whose pace between them corrects all seconds for what else the "
+                   "machine did.");
     }
 
     std::string defaultSentence() const {

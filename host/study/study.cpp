@@ -21,7 +21,9 @@ constexpr double kReferenceSamples = 4096.0;
 constexpr double kLeastPixels = 48.0 * 48.0;
 constexpr uint32_t kLargestPart = 256; ///< pixels on a side
 /// A change is for the better where it takes less than so much of the time to the same error.
-constexpr double kBetter = 0.9;
+constexpr double kBetter = 0.85;
+/// Of a variant's time, for the machine's pace.
+constexpr double kYardstickShare = 0.15;
 
 double pixelsOf(const StudySettings& settings) {
     return static_cast<double>(settings.render.width) * settings.render.height;
@@ -110,41 +112,93 @@ private:
     }
 
     void sweep() {
-        if (study_.reference->mean <= 0.0)
+        const Reference& reference = *study_.reference;
+        if (reference.mean <= 0.0)
             throw Error("the picture is black, so there is no error to study");
-        if (!std::isfinite(study_.reference->error))
+        if (!std::isfinite(reference.error))
             throw Error("the budget is too short: the reference has " +
-                        std::to_string(study_.reference->samples) +
+                        std::to_string(reference.samples) +
                         " samples per pixel, and needs 32; give it more, or a smaller --size");
-        const std::vector<Variant> variants = variantsOf(study_.usual, study_.reference->mean);
+        const std::vector<Variant> variants = variantsOf(study_.usual, reference.mean);
         const auto count = static_cast<double>(variants.size()) + 1.0; // and some together
-        // As long for each, so that they can be compared.
         const double share = secondsLeft() / count;
-        const double seconds = std::max(0.2 * share, share - prepareSeconds_);
+        Yardstick yardstick(*this, kYardstickShare * share);
+        yardstick.measure();
+        // As long for each, so that they can be compared.
+        const double seconds =
+            std::max(0.2 * share, (1.0 - kYardstickShare) * share - prepareSeconds_);
+        const auto take = [&](const Variant& variant) {
+            if (isStopped_ || !measure(variant, seconds))
+                return;
+            yardstick.measure();
+            study_.measurements.back().pace = yardstick.lastPace();
+        };
         for (const Variant& variant : variants)
-            if (!isStopped_)
-                measure(variant, seconds);
+            take(variant);
+        const double usualPace = yardstick.usualPace();
         std::vector<Variant> better;
         for (const Measurement& measurement : study_.measurements)
             if (isForTheBetter(measurement))
                 better.push_back(measurement.variant);
-        if (!isStopped_ && better.size() > 1)
-            measure(together(better), seconds);
+        if (better.size() > 1)
+            take(together(better));
+        for (Measurement& measurement : study_.measurements) {
+            measurement.pace /= usualPace;
+            for (CurvePoint& point : measurement.curve)
+                point.seconds *= measurement.pace;
+        }
     }
+
+    /// The usual settings, of which a little is rendered now and then.
+    class Yardstick {
+    public:
+        Yardstick(StudyRun& run, double seconds)
+            : run_(run), seconds_(seconds), prepared_(run.prepare_(run.study_.usual)),
+              session_(makeSession(prepared_, run.study_.usual)) {}
+
+        void measure() {
+            const RenderTotals& totals = session_->totals();
+            const uint64_t paths = totals.paths;
+            const double before = totals.seconds;
+            run_.sample(*session_, before + seconds_, "measuring the pace", [] {});
+            if (totals.seconds > before)
+                paces_.push_back(static_cast<double>(totals.paths - paths) /
+                                 (totals.seconds - before));
+        }
+
+        /// Samples a second between the last two measurements.
+        double lastPace() const {
+            return 0.5 * (paces_.back() + paces_[std::max<size_t>(paces_.size(), 2) - 2]);
+        }
+
+        /// Their median.
+        double usualPace() const {
+            std::vector<double> paces = paces_;
+            std::ranges::sort(paces);
+            return paces[paces.size() / 2];
+        }
+
+    private:
+        StudyRun& run_;
+        double seconds_;
+        PreparedTracer prepared_;
+        std::unique_ptr<Session> session_;
+        std::vector<double> paces_;
+    };
 
     bool isForTheBetter(const Measurement& measurement) const {
         const Measurement& usual = study_.measurements.front();
         if (measurement.variant.losesLight || measurement.variant.options.empty() ||
             !measurement.last().error || !usual.last().error)
             return false;
-        const auto cost = [](const CurvePoint& point) {
-            return point.seconds * *point.error * *point.error;
+        const auto cost = [](const Measurement& one) {
+            return one.pace * one.last().seconds * *one.last().error * *one.last().error;
         };
-        return cost(measurement.last()) < kBetter * cost(usual.last());
+        return cost(measurement) < kBetter * cost(usual);
     }
 
-    /// What is not whole does not count.
-    void measure(const Variant& variant, double seconds) {
+    /// False where the user stopped it: what is not whole does not count.
+    bool measure(const Variant& variant, double seconds) {
         const StudySettings settings = variant.settings(study_.usual);
         const PreparedTracer prepared = prepare_(settings);
         const auto session = makeSession(prepared, settings);
@@ -166,7 +220,7 @@ private:
             next = std::bit_ceil(samples + 1);
         });
         if (!isWhole)
-            return;
+            return false;
         record();
         const MeanLuminance mean = meanLuminance(session->picture(), session->pixelErrors());
         measurement.brighter = mean.mean / study_.reference->mean - 1.0;
@@ -174,6 +228,7 @@ private:
             std::hypot(mean.standardError, study_.reference->meanError) / study_.reference->mean;
         measurement.isTrusted = session->error() && session->error()->isTrusted();
         study_.measurements.push_back(std::move(measurement));
+        return true;
     }
 
     const StudyPlan& plan_;

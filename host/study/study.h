@@ -48,8 +48,9 @@ struct Study {
 };
 
 /// Renders a reference in two fifths of the time, each variant for as long as any other in the
-/// rest, and last, where several changes were for the better, these together. A study that is
-/// stopped holds what was whole by then. Throws Error where the picture is black, or the time too
+/// rest, and last, where several changes were for the better, these together. Between variants the
+/// usual settings render a little more: how fast they do tells the machine's pace, by which all
+/// seconds are corrected. A study that is stopped holds what was whole by then. Throws Error where the picture is black, or the time too
 /// short for a reference.
 Study runStudy(const StudyPlan& plan, const PrepareTracer& prepare, const StudyObserver& observer);
 

@@ -182,6 +182,7 @@ TEST_F(GoalTest, AdaptiveIsReproducible) {
         const ProgramResult result = runProgram(arguments);
         EXPECT_EQ(result.exitCode, 0) << result.errors;
         EXPECT_NEAR(statistics()["spp"].get<double>(), 256.0, 8.0);
+        EXPECT_EQ(statistics()["adaptive"], true);
         return readText(folder_ / "a.pfm");
     };
     const std::string one = picture({"--threads", "1"});
