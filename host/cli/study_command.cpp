@@ -45,7 +45,8 @@ std::filesystem::path makeFolder(const StudyOptions& options) {
     std::filesystem::create_directories(folder, error);
     if (error)
         throw OutputError("cannot make the folder '" + folder.string() + "': " + error.message());
-    checkWritable(folder / "study.html");
+    for (const char* name : {"study.csv", "study.svg", "study.html"})
+        checkWritable(folder / name);
     return folder;
 }
 
@@ -73,7 +74,6 @@ void printChoices(const Study& study) {
 int studyCommand(const StudyOptions& options) {
     catchInterrupts();
     const Clock::time_point start = Clock::now();
-    const std::filesystem::path folder = makeFolder(options);
     Progress progress(options.quiet);
     const auto show = [&](const std::string& what) {
         const double done = secondsSince(start) / options.budget;
@@ -94,12 +94,13 @@ int studyCommand(const StudyOptions& options) {
     };
     Scene scene = loadScene(options.scene.path, loadOptions);
     progress.clear();
+    const std::filesystem::path folder = makeFolder(options);
     for (const std::string& warning : scene.warnings)
         std::fprintf(stderr, "calotype: warning: %s\n", warning.c_str());
 
     StudyOrigin origin;
     origin.scene = std::filesystem::path(options.scene.path).filename().string();
-    origin.command = "calotype render " + options.scene.path;
+    origin.command = "calotype render " + options.scene.path + " -o picture.exr";
     const PrepareTracer prepare = [&](const StudySettings& settings) {
         scene.lightChoice = settings.lightChoice;
         StageSeconds seconds;
@@ -111,8 +112,8 @@ int studyCommand(const StudyOptions& options) {
         if (engine->maxRadiance() == 0.0)
             throw SceneError(options.scene.path, "the scene has no light, so no error to study");
         origin.device = engine->info().name;
-        return PreparedTracer{engine, &engine->tracer(), engine->maxRadiance(), seconds.build,
-                              seconds.compile};
+        return PreparedTracer{engine,        &engine->tracer(), engine->maxRadiance(),
+                              seconds.build, seconds.compile,   [engine] { engine->finish(); }};
     };
     StudyObserver observer;
     observer.shouldStop = isInterrupted;

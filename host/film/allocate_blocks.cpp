@@ -85,10 +85,12 @@ std::vector<uint32_t> allocateBlocks(std::span<const SurveyPixel> survey, uint32
         const double middle = 0.5 * (low + high);
         (sumOf(middle) <= static_cast<double>(total) ? low : high) = middle;
     }
+    const double leftOver =
+        std::max(0.0, static_cast<double>(total) - sumOf(low)) / static_cast<double>(noise.size());
     std::vector<uint32_t> blocks;
     blocks.reserve(noise.size());
     for (size_t i = 0; i < noise.size(); ++i)
-        blocks.push_back(static_cast<uint32_t>(shareOf(i, low) + 0.5));
+        blocks.push_back(static_cast<uint32_t>(shareOf(i, low) + leftOver + 0.5));
     return blocks;
 }
 

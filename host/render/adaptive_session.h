@@ -15,7 +15,8 @@
 namespace calotype {
 
 /// Renders a picture in rounds of 128, 256, 512, ... samples per pixel on average, the last one of
-/// the settings' number. A round first gives every pixel a quarter of that, at least 128: a survey.
+/// the settings' number. A round first gives every pixel an eighth to a quarter of that, at least
+/// 128: a survey.
 /// Then each half of the film deals out the rest to its pixels by the survey that the other half
 /// made, see AdaptiveFilm. So the picture depends on the settings alone, and has no bias.
 ///

@@ -12,6 +12,13 @@ PassRenderer::PassRenderer(BlockTracer& tracer, RenderTotals& totals)
     : tracer_(tracer), totals_(totals),
       sizer_(std::min(tracer.tileCount(), gpu::kMostTilesPerDispatch)) {}
 
+void PassRenderer::beginBlock(double share) {
+    losses_ = {};
+    if (share > 1.5 * share_)
+        sizer_ = DispatchSizer(std::min(tracer_.tileCount(), gpu::kMostTilesPerDispatch));
+    share_ = share;
+}
+
 std::optional<RenderEnding> PassRenderer::run(uint32_t sampleEnd, const RenderObserver& observer,
                                               const RenderGoal& goal) {
     using Clock = std::chrono::steady_clock;

@@ -12,6 +12,9 @@ namespace {
 /// Differences of less than this are noise.
 constexpr double kNoise = 0.1;
 
+/// A floor of less than this share of an error is lost in its noise.
+constexpr double kSeenShare = 0.3;
+
 std::string times(double ratio) {
     char text[32];
     std::snprintf(text, sizeof text, ratio < 9.95 ? "%.2f" : "%.0f", ratio);
@@ -20,37 +23,43 @@ std::string times(double ratio) {
 
 bool isNoise(double ratio) { return std::abs(std::log(ratio)) < kNoise; }
 
-double secondsPerSample(const CurvePoint& point) {
-    return point.seconds / static_cast<double>(point.samples);
-}
+double secondsPerSample(const CurvePoint& point) { return point.seconds / point.samples; }
 
 /// The last point of both curves with as many samples, but for a tenth, and known errors.
 std::optional<double> errorRatio(const Measurement& variant, const Measurement& usual) {
     for (auto mine = variant.curve.rbegin(); mine != variant.curve.rend(); ++mine)
         for (const CurvePoint& other : usual.curve) {
-            const double ratio =
-                static_cast<double>(mine->samples) / static_cast<double>(other.samples);
+            const double ratio = mine->samples / other.samples;
             if (mine->error && other.error && isNoise(ratio))
                 return *mine->error / *other.error * std::sqrt(ratio);
         }
     return std::nullopt;
 }
 
+/// What of the light a variant loses that is made to.
+std::string lossOf(const Measurement& variant) {
+    if (std::abs(variant.brighter) <= 3.0 * variant.brighterError)
+        return "It may lose light; here none was seen to be missing.";
+    const std::string seen = "It loses light: the picture is " +
+                             percentText(std::abs(variant.brighter)) +
+                             (variant.brighter < 0.0 ? " darker" : " brighter");
+    const double floor = variant.floor().value_or(0.0);
+    const bool isInTheError = floor > kSeenShare * variant.last().error.value_or(0.0);
+    return seen + (isInTheError ? ", and the error never falls below " + percentText(floor) + "."
+                                : ", which the error does not show yet.");
+}
+
 } // namespace
 
 Comparison compare(const Measurement& variant, const Measurement& usual) {
     Comparison comparison;
-    if (variant.last().samples > 0 && usual.last().samples > 0)
+    if (variant.last().samples > 0.0 && usual.last().samples > 0.0)
         comparison.timePerSample =
             secondsPerSample(variant.last()) / secondsPerSample(usual.last());
     comparison.error = errorRatio(variant, usual);
-    if (variant.last().error && usual.last().error) {
-        const double both = std::max(*variant.last().error, *usual.last().error);
-        const auto mine = variant.secondsTo(both);
-        const auto others = usual.secondsTo(both);
-        if (mine && others)
-            comparison.time = *mine / *others;
-    }
+    // An error that falls as the root of time; near a floor there is no such thing.
+    if (comparison.timePerSample && comparison.error && !variant.variant.losesLight)
+        comparison.time = *comparison.timePerSample * *comparison.error * *comparison.error;
     return comparison;
 }
 
@@ -68,14 +77,8 @@ std::string sentenceOf(const Measurement& variant, const Measurement& usual) {
         text += isNoise(*comparison.time)
                     ? "To the same error it takes as long, as far as can be told. "
                     : "To the same error it takes " + times(*comparison.time) + " times as long. ";
-    if (variant.variant.losesLight) {
-        const bool isSeen = std::abs(variant.brighter) > 3.0 * variant.brighterError;
-        text += isSeen
-                    ? "It loses light: the picture is " + percentText(std::abs(variant.brighter)) +
-                          (variant.brighter < 0.0 ? " darker" : " brighter") +
-                          ", and the error never falls below " + percentText(variant.floor()) + "."
-                    : "It may lose light; here none was seen to be missing.";
-    }
+    if (variant.variant.losesLight)
+        text += lossOf(variant);
     const double build = variant.buildSeconds - usual.buildSeconds;
     const double compile = variant.compileSeconds - usual.compileSeconds;
     const double longer = build + compile;
@@ -92,7 +95,8 @@ std::vector<Choice> choicesOf(const Study& study) {
     for (const double target : kTargets) {
         Choice choice{target, nullptr, 0.0, std::nullopt};
         for (const Measurement& measurement : study.measurements) {
-            if (measurement.floor() > 0.5 * target)
+            const auto floor = measurement.floor();
+            if (!floor || *floor > 0.5 * target)
                 continue;
             const auto seconds = measurement.secondsTo(target);
             const bool isUsual = &measurement == &study.measurements.front();

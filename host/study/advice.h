@@ -13,7 +13,8 @@ namespace calotype {
 struct Comparison {
     std::optional<double> timePerSample; ///< of the variant, over that of the usual settings
     std::optional<double> error;         ///< at as many samples, likewise
-    std::optional<double> time;          ///< to the same error, likewise
+    /// To the same error, likewise; not of what loses light.
+    std::optional<double> time;
 };
 Comparison compare(const Measurement& variant, const Measurement& usual);
 

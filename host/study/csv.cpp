@@ -1,12 +1,16 @@
 #include "study/csv.h"
 
+#include <cmath>
 #include <cstdio>
 #include <optional>
 
 namespace calotype {
 namespace {
 
+/// Nothing where it is not known.
 std::string number(double value) {
+    if (!std::isfinite(value))
+        return "";
     char text[32];
     std::snprintf(text, sizeof text, "%.6g", value);
     return text;
@@ -29,7 +33,7 @@ std::string toCsv(const Study& study) {
     for (const Measurement& measurement : study.measurements)
         for (const CurvePoint& point : measurement.curve)
             csv += quoted(measurement.variant.name) + ',' + quoted(measurement.variant.options) +
-                   ',' + std::to_string(point.samples) + ',' + number(point.seconds) + ',' +
+                   ',' + number(point.samples) + ',' + number(point.seconds) + ',' +
                    number(measurement.pace) + ',' + number(point.error) + ',' +
                    number(point.stated) + ',' + number(measurement.buildSeconds) + ',' +
                    number(measurement.compileSeconds) + ',' + number(measurement.brighter) + ',' +

@@ -15,9 +15,11 @@ double secondsBetween(const CurvePoint& a, const CurvePoint& b, double target) {
 
 } // namespace
 
-double Measurement::floor() const {
-    if (!variant.losesLight || curve.empty() || !last().error || !last().stated)
+std::optional<double> Measurement::floor() const {
+    if (!variant.losesLight)
         return 0.0;
+    if (curve.empty() || !last().error || !last().stated)
+        return std::nullopt;
     const double noise = *last().stated;
     return std::sqrt(std::max(0.0, *last().error * *last().error - noise * noise));
 }
@@ -31,11 +33,11 @@ std::optional<double> Measurement::secondsTo(double target) const {
             return before ? secondsBetween(*before, point, target) : point.seconds;
         before = &point;
     }
-    const double lowest = floor();
-    if (!before || target <= lowest)
+    const auto lowest = floor();
+    if (!before || !lowest || target <= *lowest)
         return std::nullopt;
-    const double noise = *before->error * *before->error - lowest * lowest;
-    return before->seconds * std::max(1.0, noise / (target * target - lowest * lowest));
+    const double noise = *before->error * *before->error - *lowest * *lowest;
+    return before->seconds * std::max(1.0, noise / (target * target - *lowest * *lowest));
 }
 
 std::vector<CurvePoint> paretoFront(const std::vector<Measurement>& measurements) {

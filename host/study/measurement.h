@@ -11,7 +11,7 @@ namespace calotype {
 
 /// A variant's picture at one moment.
 struct CurvePoint {
-    uint64_t samples = 0; ///< per pixel
+    double samples = 0.0; ///< mean of all pixels
     double seconds = 0.0; ///< of sampling, at the machine's usual pace
     /// The picture's distance from the reference as ErrorEstimate::relative measures it, less the
     /// reference's own error. None where the reference is not good enough to tell.
@@ -34,8 +34,9 @@ struct Measurement {
 
     const CurvePoint& last() const { return curve.back(); }
 
-    /// The error that stays however long it runs: 0 unless it loses light by design.
-    double floor() const;
+    /// The error that stays however long it runs: 0 unless it loses light by design; none where it
+    /// does, and too little is known to tell how much.
+    std::optional<double> floor() const;
 
     /// Sampling until the error is `target`: between the points of the curve, and beyond them as
     /// the root of time has it, about the floor. None where it never gets there, or nothing is

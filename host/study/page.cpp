@@ -192,7 +192,7 @@ private:
 
     std::string defaultSentence() const {
         const CurvePoint& last = usual().last();
-        return std::to_string(last.samples) + " samples per pixel in " +
+        return std::to_string(std::lround(last.samples)) + " samples per pixel in " +
                durationText(last.seconds) + ": " + errorText(last.error) +
                (last.stated ? "; it said " + percentText(*last.stated) +
                                   (usual().isTrusted ? "" : ", not to be trusted")
@@ -265,8 +265,8 @@ private:
 
     static std::string caption(const Measurement& measurement, const CurvePoint& point) {
         return "<strong>" + escaped(measurement.variant.name) + "</strong><br>" +
-               durationText(point.seconds) + ", " + std::to_string(point.samples) + " samples<br>" +
-               errorText(point.error);
+               durationText(point.seconds) + ", " + std::to_string(std::lround(point.samples)) +
+               " samples<br>" + errorText(point.error);
     }
 
     const Study& study_;

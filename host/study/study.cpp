@@ -113,12 +113,12 @@ private:
 
     void sweep() {
         const Reference& reference = *study_.reference;
-        if (reference.mean <= 0.0)
-            throw Error("the picture is black, so there is no error to study");
         if (!std::isfinite(reference.error))
             throw Error("the budget is too short: the reference has " +
                         std::to_string(reference.samples) +
                         " samples per pixel, and needs 32; give it more, or a smaller --size");
+        if (reference.mean <= 0.0)
+            throw Error("the picture is black, so there is no error to study");
         const std::vector<Variant> variants = variantsOf(study_.usual, reference.mean);
         const auto count = static_cast<double>(variants.size()) + 1.0; // and some together
         const double share = secondsLeft() / count;
@@ -131,7 +131,10 @@ private:
             if (isStopped_ || !measure(variant, seconds))
                 return;
             yardstick.measure();
-            study_.measurements.back().pace = yardstick.lastPace();
+            // The usual settings are a yardstick themselves.
+            Measurement& measurement = study_.measurements.back();
+            measurement.pace =
+                study_.measurements.size() == 1 ? paceOf(measurement.last()) : yardstick.lastPace();
         };
         for (const Variant& variant : variants)
             take(variant);
@@ -147,6 +150,11 @@ private:
             for (CurvePoint& point : measurement.curve)
                 point.seconds *= measurement.pace;
         }
+    }
+
+    /// Samples a second.
+    double paceOf(const CurvePoint& point) const {
+        return pixelsOf(study_.usual) * point.samples / point.seconds;
     }
 
     /// The usual settings, of which a little is rendered now and then.
@@ -202,13 +210,16 @@ private:
         const StudySettings settings = variant.settings(study_.usual);
         const PreparedTracer prepared = prepare_(settings);
         const auto session = makeSession(prepared, settings);
-        Measurement measurement{variant, {}, prepared.buildSeconds, prepared.compileSeconds};
+        Measurement measurement;
+        measurement.variant = variant;
+        measurement.buildSeconds = prepared.buildSeconds;
+        measurement.compileSeconds = prepared.compileSeconds;
         const auto record = [&] {
             const Image picture = session->picture();
             const auto& estimate = session->error();
             measurement.curve.push_back(
-                {session->totals().samplesPerPixel, session->totals().seconds,
-                 study_.reference->errorOf(picture),
+                {static_cast<double>(session->totals().paths) / pixelsOf(settings),
+                 session->totals().seconds, study_.reference->errorOf(picture),
                  estimate ? std::optional(estimate->relative) : std::nullopt, middleOf(picture)});
         };
         uint64_t next = 1;
@@ -226,6 +237,8 @@ private:
         measurement.brighter = mean.mean / study_.reference->mean - 1.0;
         measurement.brighterError =
             std::hypot(mean.standardError, study_.reference->meanError) / study_.reference->mean;
+        if (prepared.finish)
+            prepared.finish();
         measurement.isTrusted = session->error() && session->error()->isTrusted();
         study_.measurements.push_back(std::move(measurement));
         return true;

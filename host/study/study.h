@@ -20,6 +20,7 @@ struct PreparedTracer {
     double maxRadiance = 0.0; ///< W/(m^2 sr)
     double buildSeconds = 0.0;
     double compileSeconds = 0.0;
+    std::function<void()> finish = {}; ///< throws what only came to light on the way
 };
 using PrepareTracer = std::function<PreparedTracer(const StudySettings&)>;
 
@@ -50,8 +51,8 @@ struct Study {
 /// Renders a reference in two fifths of the time, each variant for as long as any other in the
 /// rest, and last, where several changes were for the better, these together. Between variants the
 /// usual settings render a little more: how fast they do tells the machine's pace, by which all
-/// seconds are corrected. A study that is stopped holds what was whole by then. Throws Error where the picture is black, or the time too
-/// short for a reference.
+/// seconds are corrected. A study that is stopped holds what was whole by then. Throws Error where
+/// the picture is black, or the time too short for a reference.
 Study runStudy(const StudyPlan& plan, const PrepareTracer& prepare, const StudyObserver& observer);
 
 } // namespace calotype

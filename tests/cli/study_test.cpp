@@ -24,7 +24,7 @@ protected:
 TEST_F(StudyTest, WritesTableAndPlotAndPage) {
     // Its error is spread over all pixels, so that few samples tell it well.
     scene_ = std::string(CALOTYPE_SOURCE_DIR) + "/scenes/cornell-box.json";
-    const ProgramResult result = study({"--budget", "10s", "--size", "48x48"});
+    const ProgramResult result = study({"--budget", "10s", "--size", "32x32"});
     ASSERT_EQ(result.exitCode, 0) << result.errors;
     EXPECT_LT(result.seconds, 16.0);
     for (const char* line : {"5 % error: ", "2 % error: ", "1 % error: ", "study.html"})
@@ -49,6 +49,7 @@ TEST_F(StudyTest, WritesTableAndPlotAndPage) {
                 last.push_back(field);
         }
     ASSERT_GE(last.size(), 7u);
+    ASSERT_FALSE(last[5].empty() || last[6].empty()) << "too slow a machine for so many samples";
     EXPECT_NEAR(std::stod(last[5]) / std::stod(last[6]), 1.0, 0.15) << last[5] << " " << last[6];
 }
 
@@ -56,12 +57,12 @@ TEST_F(StudyTest, InterruptedKeepsWhatItHas) {
     ProgramOptions options;
     bool isSent = false;
     options.whileRunning = [&](int pid, double age) {
-        if (!isSent && age > 6.5) // of 10 s the reference takes 4
+        if (!isSent && age > 12.0) // of 16 s the reference takes 6, and each variant 0.7
             isSent = kill(pid, SIGINT) == 0;
     };
-    const ProgramResult result = study({"--budget", "10s"}, options);
+    const ProgramResult result = study({"--budget", "16s"}, options);
     EXPECT_EQ(result.exitCode, 1);
-    EXPECT_LT(result.seconds, 8.5);
+    EXPECT_LT(result.seconds, 15.0);
     EXPECT_NE(result.errors.find("what was measured so far is in"), std::string::npos)
         << result.errors;
     EXPECT_NE(readOutput("study.html").find("stopped before its end"), std::string::npos);

@@ -6,21 +6,12 @@
 #include <utility>
 #include <vector>
 
-#include "film/error_estimate.h"
-#include "math/luminance.h"
 #include "support/gpu_test.h"
+#include "support/judged_picture.h"
 #include "support/render_scene.h"
 
 namespace calotype::test {
 namespace {
-
-/// Luminances of one picture, with what it says of their errors.
-struct Judged {
-    std::vector<double> luminances;
-    std::vector<PixelError> errors;
-    ErrorEstimate estimate;
-    uint64_t samples = 0;
-};
 
 class ErrorBarsTest : public GpuTest {
 protected:
@@ -32,45 +23,6 @@ protected:
         wish.seed = seed;
         return wish;
     }
-
-    static Judged judge(const Scene& scene, const RenderWish& wish) {
-        const RenderedScene rendered = renderScene(scene, wish);
-        Judged judged;
-        for (const glm::vec3& pixel : rendered.film.picture().pixels)
-            judged.luminances.push_back(luminance(glm::dvec3(pixel)));
-        judged.errors = pixelErrors(rendered.film);
-        judged.estimate = *estimateError(rendered.film);
-        judged.samples = rendered.film.samplesPerPixel();
-        return judged;
-    }
-
-    static std::vector<double> meanOf(const std::vector<Judged>& pictures) {
-        std::vector<double> mean(pictures[0].luminances.size());
-        for (const Judged& picture : pictures)
-            for (size_t i = 0; i < mean.size(); ++i)
-                mean[i] += picture.luminances[i] / static_cast<double>(pictures.size());
-        return mean;
-    }
-
-    /// Counts pixels whose error lies within what is stated. Those without noise are not counted.
-    struct Coverage {
-        double within = 0.0;
-        double all = 0.0;
-
-        /// `noise` is the truth's own variance, as a share of the picture's.
-        void add(const Judged& picture, const std::vector<double>& truth, double noise) {
-            for (size_t i = 0; i < truth.size(); ++i) {
-                const double distance = std::abs(picture.luminances[i] - truth[i]);
-                const double interval = picture.errors[i].interval;
-                if (interval <= 1e-6 * truth[i])
-                    continue;
-                within += distance <= interval * std::sqrt(1.0 + noise) ? 1.0 : 0.0;
-                all += 1.0;
-            }
-        }
-
-        double share() const { return within / all; }
-    };
 };
 
 constexpr const char* kSmoothScenes[] = {"scenes/cornell-box.json", "scenes/sphere.json",
@@ -84,36 +36,26 @@ TEST_F(ErrorBarsTest, PixelsLieWithinTheirIntervals) {
         for (const char* path : kSmoothScenes) {
             SCOPED_TRACE(std::string(path) + ", " + nameOf(sampler));
             const Scene scene = projectScene(path);
-            std::vector<Judged> pictures;
+            std::vector<JudgedPicture> pictures;
             for (uint32_t seed = 0; seed < kPictures; ++seed)
-                pictures.push_back(judge(scene, wishFor(sampler, 16, 512, 500 + seed)));
-            const std::vector<double> mean = meanOf(pictures);
+                pictures.push_back(
+                    judge(renderScene(scene, wishFor(sampler, 16, 512, 500 + seed)).film));
+            const std::vector<double> truth = meanOfOthers(pictures);
             Coverage coverage;
             double squares = 0.0; // of the true relative errors
             double stated = 0.0;
-            double brightness = 0.0;
-            for (const double l : mean)
-                brightness += l / static_cast<double>(mean.size());
-            for (const Judged& picture : pictures) {
-                std::vector<double> others(mean.size());
-                for (size_t i = 0; i < mean.size(); ++i) {
-                    others[i] = (mean[i] * kPictures - picture.luminances[i]) / (kPictures - 1);
-                    const double floor = 0.01 * brightness;
-                    squares += std::pow(picture.luminances[i] - mean[i], 2.0) /
-                               (mean[i] * mean[i] + floor * floor);
-                }
-                coverage.add(picture, others, 1.0 / (kPictures - 1));
+            for (const JudgedPicture& picture : pictures) {
+                squares += trueSquare(picture, truth) / (kPictures - 1);
+                coverage.add(picture, meanOfOthers(pictures, &picture), 1.0 / (kPictures - 1));
                 stated += picture.estimate.relative / kPictures;
                 EXPECT_TRUE(picture.estimate.isTrusted()) << *picture.estimate.doubt;
             }
             RecordProperty(nameOf(sampler) + std::string(path), std::to_string(coverage.share()));
-            EXPECT_GT(coverage.all, 0.5 * kPictures * static_cast<double>(mean.size()));
+            EXPECT_GT(coverage.all, 0.5 * kPictures * static_cast<double>(truth.size()));
             EXPECT_GT(coverage.share(), 0.93);
             EXPECT_LT(coverage.share(), 0.97);
             // The picture's one number, against what it estimates.
-            const double truth =
-                1.96 * std::sqrt(squares / static_cast<double>(mean.size() * (kPictures - 1)));
-            EXPECT_NEAR(stated / truth, 1.0, 0.1);
+            EXPECT_NEAR(stated / (1.96 * std::sqrt(squares)), 1.0, 0.1);
         }
 }
 
@@ -125,16 +67,17 @@ TEST_F(ErrorBarsTest, PixelsLieWithinTheirIntervalsWhereTheErrorEndedTheRender) 
     for (const auto& [sampler, target] :
          {std::pair{Sampler::Independent, 0.14}, {Sampler::Sobol, 0.092}}) {
         SCOPED_TRACE(nameOf(sampler));
-        const Judged reference = judge(scene, wishFor(sampler, 8, kReference, 77));
+        const JudgedPicture reference =
+            judge(renderScene(scene, wishFor(sampler, 8, kReference, 77)).film);
         Coverage coverage;
         std::map<uint64_t, uint32_t> endings;
         for (uint32_t seed = 0; seed < kPictures; ++seed) {
             RenderWish wish = wishFor(sampler, 8, 1u << 13, 1000 + seed);
             wish.goal.targetError = target;
-            const Judged picture = judge(scene, wish);
-            ++endings[picture.samples];
-            coverage.add(picture, reference.luminances,
-                         static_cast<double>(picture.samples) / kReference);
+            const Film film = renderScene(scene, wish).film;
+            ++endings[film.samplesPerPixel()];
+            coverage.add(judge(film), reference.luminances,
+                         static_cast<double>(film.samplesPerPixel()) / kReference);
         }
         for (const auto& [samples, count] : endings)
             std::cout << nameOf(sampler) << ": " << count << " ended at " << samples << "\n";

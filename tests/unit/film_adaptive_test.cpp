@@ -145,7 +145,7 @@ TEST(AllocateBlocks, KeepsItsBounds) {
     survey[55].variance = 100.0f;
     std::vector<uint32_t> least(100, 3);
     least[7] = 500;
-    const auto blocks = allocateBlocks(survey, 10, least, 64, 1000);
+    const auto blocks = allocateBlocks(survey, 10, least, 64, 2500);
     for (size_t i = 0; i < blocks.size(); ++i) {
         EXPECT_GE(blocks[i], least[i]);
         EXPECT_LE(blocks[i], std::max(64u, least[i]));
@@ -153,9 +153,20 @@ TEST(AllocateBlocks, KeepsItsBounds) {
     EXPECT_EQ(blocks[7], 500u);
     EXPECT_GT(blocks[55], 3u);
     EXPECT_EQ(allocateBlocks(survey, 10, least, 64, 10), least) << "more is asked than there is";
+}
+
+// Little noise to be seen does not mean that there is none: all samples are dealt out.
+TEST(AllocateBlocks, DealsOutAll) {
+    std::vector<SurveyPixel> survey(100, {1.0f, 0.0f});
+    const std::vector<uint32_t> least(100, 3);
+    EXPECT_EQ(allocateBlocks(survey, 10, least, 64, 2000), std::vector<uint32_t>(100, 20));
+    survey[55].variance = 100.0f;
+    const auto blocks = allocateBlocks(survey, 10, least, 30, 4000);
+    EXPECT_NEAR(std::accumulate(blocks.begin(), blocks.end(), 0.0), 4000.0, 50.0);
+    EXPECT_GT(blocks[55], blocks[0]);
     for (SurveyPixel& pixel : survey)
         pixel = {0.0f, 0.0f};
-    EXPECT_EQ(allocateBlocks(survey, 10, least, 64, 5000), least) << "black";
+    EXPECT_EQ(allocateBlocks(survey, 10, least, 64, 5000), std::vector<uint32_t>(100, 50));
 }
 
 } // namespace
