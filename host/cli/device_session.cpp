@@ -20,7 +20,7 @@ bool isReference(const DeviceOptions& options) {
 
 Instance makeInstance(const DeviceOptions& options) {
     if (namesReference(options.device))
-        throw UsageError("--device reference is no device; only render knows it");
+        throw UsageError("--device reference is no device; only render and study know it");
     if (options.threads > 0)
         setenv("LP_NUM_THREADS", std::to_string(options.threads).c_str(), 1);
     return Instance();

@@ -26,7 +26,8 @@ p, li { max-width: 44rem; } .faint { color: var(--faint); font-size: 0.9rem; }
 .wide { overflow-x: auto; } table { border-collapse: collapse; font-size: 0.92rem; }
 th, td { text-align: left; padding: 0.3rem 0.9rem 0.3rem 0; border-bottom: 1px solid var(--line);
   vertical-align: top; } th { font-weight: 600; }
-code { font: 0.88em ui-monospace, monospace; } dt code, td code { white-space: nowrap; }
+code { font: 0.88em ui-monospace, monospace; }
+dt code, td code { white-space: nowrap; }
 svg { width: 100%; max-width: 40rem; height: auto; display: block; }
 dl { margin: 0; } dt { font-weight: 600; margin-top: 0.9rem; } dd { margin: 0; max-width: 44rem; }
 .swatch { display: inline-block; width: 0.8em; height: 0.8em; border-radius: 2px;
@@ -36,7 +37,8 @@ dl { margin: 0; } dt { font-weight: 600; margin-top: 0.9rem; } dd { margin: 0; m
 figure { margin: 0; } figure img { width: 100%; display: block; image-rendering: pixelated; }
 figure img + img { margin-top: 2px; }
 figcaption { font-size: 0.82rem; line-height: 1.35; margin-top: 0.3rem; }
-.scale { display: flex; margin-bottom: 0.6rem; flex-wrap: wrap; gap: 0.2rem 0.9rem; font-size: 0.85rem; }
+.scale { display: flex; margin-bottom: 0.6rem; flex-wrap: wrap;
+  gap: 0.2rem 0.9rem; font-size: 0.85rem; }
 )";
 
 std::string tag(const std::string& name, const std::string& contents) {

@@ -72,7 +72,8 @@ TEST_F(ReferenceDeviceTest, IsForRenderOnly) {
             arguments.push_back("scenes/cornell-box.json");
         const ProgramResult result = runProgram(arguments);
         EXPECT_EQ(result.exitCode, 2) << command;
-        EXPECT_NE(result.errors.find("only render knows it"), std::string::npos) << result.errors;
+        EXPECT_NE(result.errors.find("only render and study know it"), std::string::npos)
+            << result.errors;
     }
 }
 
