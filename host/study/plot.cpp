@@ -134,7 +134,7 @@ std::string toSvg(const Study& study, const std::string& title) {
                 x.take(point.seconds);
                 y.take(*point.error);
             }
-    const double rows = std::ceil(static_cast<double>(study.measurements.size() + 1));
+    const auto rows = static_cast<double>(study.measurements.size() + 1); // and the front
     const std::string height = coordinate(kLegendTop + kLegendLine * rows);
     std::string svg =
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + coordinate(kWidth) + " " +

@@ -10,9 +10,6 @@ namespace {
 
 constexpr double kNormalInterval = 1.96; // as in ErrorEstimate
 
-/// Below so many times the reference's own error nothing can be said of a picture's.
-constexpr double kResolution = 1.0;
-
 double square(double x) { return x * x; }
 
 } // namespace
@@ -37,7 +34,7 @@ std::optional<double> Reference::errorOf(const Image& image) const {
                (square(luminances[i]) + square(0.01 * mean));
     const double measured = square(kNormalInterval) * sum / static_cast<double>(luminances.size());
     const double left = measured - square(error);
-    if (!(left > square(kResolution * error)))
+    if (!(left > square(error))) // below its own error a reference cannot tell
         return std::nullopt;
     return std::sqrt(left);
 }
