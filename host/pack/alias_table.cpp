@@ -1,6 +1,6 @@
 #include "pack/alias_table.h"
 
-#include <cmath>
+#include <algorithm>
 #include <numeric>
 
 #include "base/check.h"
@@ -10,57 +10,72 @@ namespace {
 
 constexpr uint64_t kNumbers = uint64_t{1} << 24; ///< that a uniform random number may be
 
-/// The random numbers that fall into columns before `column`, of `count` columns.
-uint64_t numbersBefore(uint64_t column, uint64_t count) {
-    return (column * kNumbers + count - 1) / count;
+/// The random numbers that fall into each of `count` columns.
+std::vector<uint32_t> columnCapacities(uint64_t count) {
+    const auto numbersBefore = [&](uint64_t column) {
+        return (column * kNumbers + count - 1) / count;
+    };
+    std::vector<uint32_t> capacities;
+    for (uint64_t column = 0; column < count; ++column)
+        capacities.push_back(
+            static_cast<uint32_t>(numbersBefore(column + 1) - numbersBefore(column)));
+    return capacities;
 }
 
-void setProbabilities(std::vector<AliasColumn>& columns) {
-    constexpr double kProbabilityPerNumber = 1.0 / kNumbers;
-    for (uint64_t i = 0; i < columns.size(); ++i) {
-        const uint64_t numbers =
-            numbersBefore(i + 1, columns.size()) - numbersBefore(i, columns.size());
-        const double probability = static_cast<double>(numbers) * kProbabilityPerNumber;
-        columns[i].probability += probability * columns[i].threshold;
-        columns[columns[i].alias].probability += probability * (1.0 - columns[i].threshold);
+/// All random numbers, dealt out by weight: one each to all that weigh something, of the others
+/// each one's share, rounded down, and what is left goes round in order.
+std::vector<uint32_t> dealNumbers(std::span<const double> weights) {
+    const auto weighsSomething = [](double weight) { return weight > 0.0; };
+    const auto count = static_cast<uint64_t>(std::ranges::count_if(weights, weighsSomething));
+    std::vector<uint32_t> dealt(weights.size());
+    if (count == 0)
+        return dealt;
+    const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+    const auto shared = static_cast<double>(kNumbers - std::min(count, kNumbers));
+    uint64_t left = kNumbers;
+    for (size_t i = 0; i < weights.size(); ++i) {
+        CALOTYPE_CHECK_LE(0.0, weights[i]);
+        dealt[i] = static_cast<uint32_t>(weights[i] / sum * shared);
+        left -= dealt[i];
     }
+    for (size_t i = 0; left > 0; i = (i + 1) % weights.size())
+        if (weighsSomething(weights[i])) {
+            ++dealt[i];
+            --left;
+        }
+    return dealt;
 }
-
-/// The least multiple of 2^-24 that lets as many random numbers through.
-double roundedUp(double threshold) { return std::ceil(threshold * kNumbers) / kNumbers; }
 
 } // namespace
 
 std::vector<AliasColumn> buildAliasTable(std::span<const double> weights) {
+    constexpr double kProbabilityPerNumber = 1.0 / kNumbers;
+    const std::vector<uint32_t> capacities = columnCapacities(weights.size());
+    std::vector<uint32_t> numbers = dealNumbers(weights);
     std::vector<AliasColumn> columns(weights.size());
-    if (weights.empty())
-        return columns;
-    const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
-    CALOTYPE_CHECK_LE(0.0, sum);
-
-    std::vector<double> filled(weights.size()); // in units of one column
     std::vector<uint32_t> underfull;
     std::vector<uint32_t> overfull;
     for (uint32_t i = 0; i < weights.size(); ++i) {
-        columns[i].alias = i;
-        const double share = sum > 0.0 ? weights[i] / sum : 0.0;
-        filled[i] = share * static_cast<double>(weights.size());
-        (filled[i] < 1.0 ? underfull : overfull).push_back(i);
+        columns[i] = {numbers[i] * kProbabilityPerNumber, capacities[i], i};
+        if (numbers[i] < capacities[i])
+            underfull.push_back(i);
+        else if (numbers[i] > capacities[i])
+            overfull.push_back(i);
     }
+    // Capacities differ by one at most, so that an overfull column can fill any underfull one.
     while (!underfull.empty() && !overfull.empty()) {
         const uint32_t receiver = underfull.back();
         const uint32_t donor = overfull.back();
         underfull.pop_back();
-        columns[receiver].threshold = roundedUp(filled[receiver]);
+        columns[receiver].ownNumbers = numbers[receiver];
         columns[receiver].alias = donor;
-        filled[donor] -= 1.0 - filled[receiver];
-        if (filled[donor] < 1.0) {
-            overfull.pop_back();
+        numbers[donor] -= capacities[receiver] - numbers[receiver];
+        if (numbers[donor] > capacities[donor])
+            continue;
+        overfull.pop_back();
+        if (numbers[donor] < capacities[donor])
             underfull.push_back(donor);
-        }
     }
-    setProbabilities(
-        columns); // of those left over, each is full but for rounding, or none has weight
     return columns;
 }
 

@@ -6,18 +6,20 @@
 
 namespace calotype {
 
-/// One column: keep its own index when a uniform number falls below `threshold`, else take `alias`.
+/// One column of the table. Of the random numbers that fall into it the first `ownNumbers` choose
+/// the column's own index, the others `alias`.
 struct AliasColumn {
-    double probability = 0.0; ///< with which the index is chosen
-    double threshold = 1.0;   ///< a multiple of 2^-24
+    double probability = 0.0; ///< with which the index is chosen, by whatever column
+    uint32_t ownNumbers = 0;
     uint32_t alias = 0;
 };
 
 /// Choosing an index in proportion to its weight, in constant time (Walker 1974, built as in Vose
-/// 1991), by two random numbers that are multiples of 2^-24: column floor(n u) of n, then u within
-/// it. The chances are what those numbers make of the columns, to the last one of them: near the
-/// share of the weight, but never a share so small that no number could choose it so rarely.
-/// The weights are finite, none negative; one of 0 has no chance, unless all are 0.
+/// 1991), by one of the 2^24 random numbers u = 0, 2^-24, ..: they fall into column floor(n u) of
+/// n. All is counted in such numbers, so that the chances are exact: whole multiples of 2^-24 near
+/// the shares of the weights, and one at least for the least of them. The weights are finite, none
+/// negative; one of 0 has no chance, and if all are 0 none has. Where more than 2^24 weigh
+/// something, those beyond have no chance.
 std::vector<AliasColumn> buildAliasTable(std::span<const double> weights);
 
 } // namespace calotype

@@ -14,6 +14,10 @@
 namespace calotype::reference {
 namespace {
 
+constexpr uint64_t kNumbers = uint64_t{1} << 24; ///< that a uniform random number may be
+
+bool isPositive(double value) { return value > 0.0; }
+
 double luminance(const glm::dvec3& rgb) { return glm::dot(rgb, {0.2126, 0.7152, 0.0722}); }
 
 /// A density per area, 1 / area, as one per solid angle (report eq. 1.36). Zero edge on, and where
@@ -92,47 +96,57 @@ void Lights::addBackground() {
     lights_.push_back(light);
 }
 
+/// Each light that shines gets one of the random numbers, and of the others its share, rounded
+/// down; what is left goes round in order.
+std::vector<uint64_t> Lights::dealNumbers() const {
+    std::vector<uint64_t> dealt(powers_.size(), 0);
+    const double sum = std::accumulate(powers_.begin(), powers_.end(), 0.0);
+    const auto shining = static_cast<uint64_t>(std::ranges::count_if(powers_, isPositive));
+    if (shining == 0)
+        return dealt;
+    const uint64_t shared = kNumbers - std::min(kNumbers, shining);
+    uint64_t left = kNumbers;
+    for (size_t i = 0; i < powers_.size(); ++i) {
+        dealt[i] = static_cast<uint64_t>(powers_[i] / sum * static_cast<double>(shared));
+        left -= dealt[i];
+    }
+    for (size_t i = 0; left > 0; i = (i + 1) % powers_.size())
+        if (powers_[i] > 0.0) {
+            ++dealt[i];
+            --left;
+        }
+    return dealt;
+}
+
 void Lights::buildAliasTable() {
     if (scene_.lightChoice == LightChoice::Uniform)
         for (double& power : powers_)
             power = power > 0.0 ? 1.0 : 0.0;
-    const double sum = std::accumulate(powers_.begin(), powers_.end(), 0.0);
+    std::vector<uint64_t> numbers = dealNumbers();
     const size_t count = lights_.size();
-    std::vector<double> filled(count);
     std::vector<size_t> poor;
     std::vector<size_t> rich;
     columns_.resize(count);
     for (size_t i = 0; i < count; ++i) {
-        filled[i] = sum > 0.0 ? powers_[i] / sum * static_cast<double>(count) : 0.0;
-        columns_[i].alias = i;
-        (filled[i] < 1.0 ? poor : rich).push_back(i);
+        const uint64_t first = (i * kNumbers + count - 1) / count;
+        const uint64_t end = ((i + 1) * kNumbers + count - 1) / count;
+        columns_[i] = {first, end, end, i};
+        lights_[i].selectionProbability = static_cast<double>(numbers[i]) / kNumbers;
+        if (numbers[i] != end - first)
+            (numbers[i] < end - first ? poor : rich).push_back(i);
     }
     while (!poor.empty() && !rich.empty()) {
-        const size_t taker = poor.back();
+        Column& taker = columns_[poor.back()];
         const size_t giver = rich.back();
+        const uint64_t size = columns_[giver].end - columns_[giver].first;
+        taker.aliasFrom = taker.first + numbers[poor.back()];
+        taker.alias = giver;
         poor.pop_back();
-        columns_[taker] = {filled[taker], giver};
-        filled[giver] -= 1.0 - filled[taker];
-        if (filled[giver] < 1.0) {
+        numbers[giver] -= taker.end - taker.aliasFrom;
+        if (numbers[giver] <= size)
             rich.pop_back();
+        if (numbers[giver] < size)
             poor.push_back(giver);
-        }
-    }
-    addUpProbabilities();
-}
-
-/// The random numbers have 24 bits, so that they choose a column, and within it the column's own
-/// light, by whole multiples of 2^-24 only.
-void Lights::addUpProbabilities() {
-    const double steps = 0x1p24;
-    const double count = static_cast<double>(columns_.size());
-    const auto firstStep = [&](double column) { return std::ceil(column * steps / count); };
-    for (size_t i = 0; i < columns_.size(); ++i) {
-        const auto column = static_cast<double>(i);
-        const double probability = (firstStep(column + 1.0) - firstStep(column)) / steps;
-        const double own = std::ceil(columns_[i].threshold * steps) / steps;
-        lights_[i].selectionProbability += probability * own;
-        lights_[columns_[i].alias].selectionProbability += probability * (1.0 - own);
     }
 }
 
@@ -152,9 +166,16 @@ const Light* Lights::background() const {
     return !lights_.empty() && !lights_.back().primitive ? &lights_.back() : nullptr;
 }
 
-const Light& Lights::choose(const glm::dvec2& u) const {
-    const auto column = static_cast<size_t>(u.x * static_cast<double>(lights_.size()));
-    return lights_[u.y < columns_[column].threshold ? column : columns_[column].alias];
+Lights::Choice Lights::choose(const glm::dvec2& u) const {
+    const auto number = static_cast<uint64_t>(u.x * kNumbers);
+    const size_t own = number * lights_.size() / kNumbers;
+    const Column& column = columns_[own];
+    const bool isOwn = number < column.aliasFrom;
+    const uint64_t first = isOwn ? column.first : column.aliasFrom;
+    const uint64_t end = isOwn ? column.aliasFrom : column.end;
+    const double place =
+        (static_cast<double>(number - first) + u.y) / static_cast<double>(end - first);
+    return {lights_[isOwn ? own : column.alias], place};
 }
 
 const Shape& Lights::shapeOf(const Light& light) const {

@@ -48,8 +48,14 @@ public:
     /// nullptr without a background.
     const Light* background() const;
 
-    /// Chosen by power: u.x picks a column of an alias table (Walker 1974, Vose 1991), u.y within.
-    const Light& choose(const glm::dvec2& u) const;
+    struct Choice {
+        const Light& light;
+        double u; ///< in [0, 1): where among the random numbers that choose the light there
+    };
+
+    /// Chosen by power, by a column of an alias table (Walker 1974, Vose 1991). u.x, a multiple of
+    /// 2^-24, chooses; u.y picks between that number and the next.
+    Choice choose(const glm::dvec2& u) const;
 
     LightSample sample(const Light& light, const glm::dvec3& reference, const glm::dvec2& u) const;
 
@@ -58,15 +64,18 @@ public:
                const glm::dvec3& normal) const;
 
 private:
+    /// Random numbers are counted in units of 2^-24.
     struct Column {
-        double threshold = 1.0; ///< keep this column's light below, else take the alias
+        uint64_t first = 0; ///< number that falls into the column
+        uint64_t aliasFrom = 0; ///< from here on they choose the alias
+        uint64_t end = 0;
         size_t alias = 0;
     };
 
     void add(uint32_t primitive, const Material& material);
     void addBackground();
     void buildAliasTable();
-    void addUpProbabilities();
+    std::vector<uint64_t> dealNumbers() const;
     const Shape& shapeOf(const Light& light) const;
 
     const Scene& scene_;

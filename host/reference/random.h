@@ -20,7 +20,7 @@ struct SampleId {
 /// A path's numbers in groups of four, as the device numbers them: one group for the camera, then
 /// four groups for each bounce, from the fifth on.
 enum class BounceDimension : uint32_t {
-    Light = 0, ///< choice of a light, two coordinates on it
+    Light = 0, ///< choice of a light and a point on it
     Bsdf = 1,  ///< direction of the next ray, choice of a lobe
     Alpha = 2, ///< whether surfaces on the way to the next event let through
 };

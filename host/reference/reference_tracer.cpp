@@ -163,8 +163,8 @@ private:
     glm::dvec3 directLight(const Surface& surface, const Bsdf& bsdf, const glm::dvec3& origin) {
         if (tracer_.scene_.lightChoice != LightChoice::All) {
             const glm::dvec4 u = bounceNumbers(id_, bounce_, BounceDimension::Light);
-            const Light& light = tracer_.lights_.choose(glm::dvec2(u.x, u.y));
-            return lightFrom(light, surface, bsdf, origin, glm::dvec2(u.z, u.w));
+            const auto [light, place] = tracer_.lights_.choose(glm::dvec2(u.x, u.z));
+            return lightFrom(light, surface, bsdf, origin, glm::dvec2(place, u.y));
         }
         glm::dvec3 sum(0.0);
         uint32_t number = 0;

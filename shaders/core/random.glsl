@@ -15,7 +15,7 @@ struct SampleId {
 const uint kDimensionCamera = 0u; ///< position in the pixel and on the lens
 const uint kDimensionsBeforeBounces = 4u;
 const uint kDimensionsPerBounce = 4u;
-const uint kDimensionLight = 0u; ///< choice of light, two coordinates on it
+const uint kDimensionLight = 0u; ///< choice of a light and a point on it
 const uint kDimensionBsdf = 1u;  ///< direction of the next ray, choice of a lobe
 const uint kDimensionAlpha = 2u; ///< whether surfaces on the way to the next event let through
 

@@ -2,6 +2,7 @@
 #ifndef CALOTYPE_LIGHTS_LIGHT_GLSL
 #define CALOTYPE_LIGHTS_LIGHT_GLSL
 
+#include "core/constants.glsl"
 #include "lights/background.glsl"
 #include "lights/quadric_light.glsl"
 #include "lights/sphere_light.glsl"
@@ -9,20 +10,28 @@
 #include "scene/buffers.glsl"
 #include "scene/features.glsl"
 
-/// floor(u * count) without rounding, for a multiple u of 2^-24 below 1.
-uint scaledFloor(float u, uint count) {
-    uint floorOfProduct, fraction;
-    umulExtended(uint(u * 16777216.0) << 8u, count, floorOfProduct, fraction);
-    return floorOfProduct;
-}
+struct LightChoice {
+    uint light;
+    float u; ///< in [0, 1): where among the random numbers that choose the light there
+};
 
 /// Picks a light by its selectionProbability in constant time: a column of the alias table, then
-/// the column's own light or its alias (Walker 1974; Vose 1991). u.x picks the column, u.y within
-/// it; the chances count on both being multiples of 2^-24, and on an exact choice.
-uint chooseLight(uint lightCount, vec2 u) {
-    uint column = scaledFloor(u.x, lightCount);
+/// the column's own light or its alias (Walker 1974; Vose 1991). u.x is one of the 2^24 random
+/// numbers, each of which chooses exactly what the table says. Its place in the run of those that
+/// choose the same, with u.y for the way to the next, is again uniform, and spread over the light
+/// as evenly as u.x is over them all.
+LightChoice chooseLight(uint lightCount, vec2 u) {
+    const uint kNumbers = 1u << 24u;
+    uint column, scaledRest;
+    umulExtended(uint(u.x * float(kNumbers)) << 8u, lightCount, column, scaledRest);
+    uint rest = scaledRest >> 8u;
+    uint before = rest / lightCount; // numbers of this column below this one
+    uint after = (kNumbers - 1u - rest) / lightCount;
     Light light = loadLight(column);
-    return u.y < light.aliasThreshold ? column : light.alias;
+    bool own = before < light.ownNumbers;
+    float place = float(own ? before : before - light.ownNumbers) + u.y;
+    float run = float(own ? light.ownNumbers : before + 1u + after - light.ownNumbers);
+    return LightChoice(own ? column : light.alias, min(place / run, kOneMinusEpsilon));
 }
 
 bool isQuadricLight(Light light) {

@@ -51,8 +51,9 @@ struct DirectLight {
 
 /// Light from one point on one emitter, reflected towards the viewer.
 DirectLight directLight(Bsdf bsdf, vec3 origin, vec4 u, uint lightCount) {
-    Light light = loadLight(chooseLight(lightCount, u.xy));
-    LightSample arriving = sampleDirectLight(light, origin, u.zw);
+    LightChoice choice = chooseLight(lightCount, u.xz);
+    Light light = loadLight(choice.light);
+    LightSample arriving = sampleDirectLight(light, origin, vec2(choice.u, u.y));
     BsdfValue reflection = evaluateBsdf(bsdf, arriving.wi);
     vec3 radiance = reflection.value * arriving.radiance;
     float pdf = arriving.pdf * light.selectionProbability;

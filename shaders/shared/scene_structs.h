@@ -159,8 +159,8 @@ struct Light {
     uint primitive;
     float area;                 ///< m^2
     float selectionProbability; ///< probability with which this light is chosen
-    float aliasThreshold;       ///< keep this column when the remainder is below, else take `alias`
-    uint alias;
+    uint ownNumbers; ///< of the column's random numbers, the first ones, which choose this light
+    uint alias;      ///< the light that its other numbers choose
     uint flags;
     uint pad0;
     uint pad1;

@@ -79,7 +79,8 @@ TEST_F(ManyLightsTest, TheFaintestOfThreeIsNotLost) {
 }
 
 // The device chooses by the table to the last random number: on both sides of each border between
-// columns, and of each column's threshold.
+// columns, and between a column's own numbers and its alias's. Where they lie among those that
+// choose the same, with the second number, is the place on the light.
 TEST_F(ManyLightsTest, EachNumberChoosesTheLightThatTheTableSays) {
     constexpr uint64_t kNumbers = uint64_t{1} << 24;
     double irradiance;
@@ -90,30 +91,37 @@ TEST_F(ManyLightsTest, EachNumberChoosesTheLightThatTheTableSays) {
     const uint64_t count = packed.lightCount;
     ASSERT_EQ(count, kAcross * kAcross);
     std::vector<gpu::TestLightQuery> queries;
-    std::vector<uint32_t> expected;
-    const auto add = [&](uint64_t x, uint64_t y) {
-        const glm::vec2 u(static_cast<float>(x) * 0x1p-24f, static_cast<float>(y) * 0x1p-24f);
-        queries.push_back({{}, 0, {0, 0, u.x, u.y}, packed.lightCount, 0, 0, 0});
-        const auto column = static_cast<uint32_t>(x * count / kNumbers);
-        const gpu::Light& light = packed.lights[column];
-        expected.push_back(u.y < light.aliasThreshold ? column : light.alias);
+    std::vector<gpu::TestLightChoice> expected;
+    const auto add = [&](uint64_t number, uint32_t light, double within, uint64_t first,
+                         uint64_t run) {
+        const float u = static_cast<float>(number) * 0x1p-24f;
+        queries.push_back({{}, 0, {0, 0, u, float(within)}, packed.lightCount, 0, 0, 0});
+        const double place = (double(number - first) + within) / double(run);
+        expected.push_back({light, float(place)});
     };
     for (uint64_t column = 0; column < count; ++column) {
         const uint64_t first = (column * kNumbers + count - 1) / count;
-        const uint64_t last = ((column + 1) * kNumbers + count - 1) / count - 1;
-        const auto numbersKept =
-            static_cast<uint64_t>(packed.lights[column].aliasThreshold * 0x1p24f);
-        for (const uint64_t x : {first, last}) {
-            if (numbersKept > 0)
-                add(x, numbersKept - 1);
-            if (numbersKept < kNumbers)
-                add(x, numbersKept);
+        const uint64_t end = ((column + 1) * kNumbers + count - 1) / count;
+        const gpu::Light& light = packed.lights[column];
+        const uint64_t border = first + light.ownNumbers;
+        ASSERT_LE(border, end);
+        for (const double within : {0.0, 0.75}) {
+            for (const uint64_t number : {first, border - 1})
+                if (first < border)
+                    add(number, uint32_t(column), within, first, border - first);
+            for (const uint64_t number : {border, end - 1})
+                if (border < end)
+                    add(number, light.alias, within, border, end - border);
         }
     }
     const SceneBuffers buffers(testDevice(), packed);
-    EXPECT_EQ(
-        runKernel<uint32_t>(kChooseLightSpirv, queries, buffers.bindings(), kTestInputBinding),
-        expected);
+    const auto choices = runKernel<gpu::TestLightChoice>(kChooseLightSpirv, queries,
+                                                         buffers.bindings(), kTestInputBinding);
+    for (size_t i = 0; i < choices.size(); ++i) {
+        ASSERT_EQ(choices[i].light, expected[i].light) << i;
+        ASSERT_LT(choices[i].u, 1.0f);
+        ASSERT_NEAR(choices[i].u, expected[i].u, 1e-6f) << i;
+    }
 }
 
 } // namespace

@@ -105,23 +105,25 @@ TEST_F(PinnedNumbers, ChooseLightsThatShine) {
     const uint32_t count = packed.lightCount;
     ASSERT_EQ(count, 75u);
     std::vector<gpu::TestLightQuery> queries;
-    std::vector<uint32_t> columns;
-    for (uint32_t column = 0; column < count; ++column)
-        for (const uint32_t end : {0u, 1u}) // its first number, and its last
-            for (const float y : kEnds) {
-                const uint32_t number = ((column + end) * kNumbers + count - 1) / count - end;
-                const float x = static_cast<float>(number) / static_cast<float>(kNumbers);
-                queries.push_back({{}, 0, {0.5f, 0.5f, x, y}, count, 0, 0, 0});
-                columns.push_back(column);
+    std::vector<uint32_t> chosen;
+    const auto firstOf = [&](uint32_t column) { return (column * kNumbers + count - 1) / count; };
+    for (uint32_t column = 0; column < count; ++column) {
+        const gpu::Light& light = packed.lights[column];
+        const uint32_t first = firstOf(column);
+        const uint32_t last = firstOf(column + 1) - 1;
+        for (const uint32_t number : {first, last})
+            for (const float between : kEnds) {
+                const float u = static_cast<float>(number) / static_cast<float>(kNumbers);
+                queries.push_back({{}, 0, {0.5f, 0.5f, u, between}, count, 0, 0, 0});
+                chosen.push_back(number - first < light.ownNumbers ? column : light.alias);
             }
+    }
     const SceneBuffers buffers(testDevice(), packed);
     const auto results = runKernel<gpu::TestLightSample>(kLightSampleSpirv, queries,
                                                          buffers.bindings(), kTestInputBinding);
     for (size_t i = 0; i < results.size(); ++i) {
-        const gpu::Light& light = packed.lights[columns[i]];
-        ASSERT_EQ(results[i].chosen,
-                  queries[i].u.w < light.aliasThreshold ? columns[i] : light.alias);
-        ASSERT_GT(packed.lights[results[i].chosen].selectionProbability, 0.0f);
+        ASSERT_EQ(results[i].chosen, chosen[i]);
+        ASSERT_GT(packed.lights[chosen[i]].selectionProbability, 0.0f);
     }
 }
 

@@ -159,19 +159,23 @@ TEST(ReferenceLights, AreChosenByTheirPower) {
     }();
     const double background = 1e-4 * kPi * glm::dot(bounds.extent(), bounds.extent());
     const double sum = 2.0 * (areas[0] + areas[1] + areas[2]) + background;
-    constexpr int kSide = 1024;
-    std::vector<double> counts(4);
-    for (int i = 0; i < kSide; ++i)
-        for (int j = 0; j < kSide; ++j) {
-            const auto& light = lit.lights.choose({(i + 0.5) / kSide, (j + 0.5) / kSide});
-            counts[light.primitive.value_or(3)] += 1.0 / (kSide * kSide);
-        }
+    constexpr int kNumbers = 1 << 24;
+    std::vector<int> counts(4);
+    std::vector<double> places(4);
+    for (int i = 0; i < kNumbers; ++i) {
+        const Lights::Choice choice = lit.lights.choose({double(i) / kNumbers, 0.5});
+        const uint32_t index = choice.light.primitive.value_or(3);
+        ++counts[index];
+        places[index] += choice.u;
+    }
     for (uint32_t i = 0; i < 3; ++i) {
         EXPECT_NEAR(lit.lights.ofPrimitive(i)->selectionProbability, 2.0 * areas[i] / sum, 1e-6);
-        EXPECT_NEAR(counts[i], 2.0 * areas[i] / sum, 2e-3);
+        EXPECT_EQ(lit.lights.ofPrimitive(i)->selectionProbability, double(counts[i]) / kNumbers);
     }
     EXPECT_NEAR(lit.lights.background()->selectionProbability, background / sum, 1e-6);
-    EXPECT_NEAR(counts[3], background / sum, 2e-3);
+    EXPECT_EQ(lit.lights.background()->selectionProbability, double(counts[3]) / kNumbers);
+    for (uint32_t i = 0; i < 4; ++i)
+        EXPECT_NEAR(places[i] / counts[i], 0.5, 1e-9);
 }
 
 } // namespace

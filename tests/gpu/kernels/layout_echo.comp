@@ -125,7 +125,7 @@ void putLight() {
     put(l.primitive);
     put(l.area);
     put(l.selectionProbability);
-    put(l.aliasThreshold);
+    put(l.ownNumbers);
     put(l.alias);
     put(l.flags);
     put(l.pad0);

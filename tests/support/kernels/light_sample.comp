@@ -20,7 +20,7 @@ void main() {
     SurfaceSample point = sampleLight(light, query.reference, query.u.xy);
     float pdf = lightPdf(light, query.reference, point.position, point.normal);
     vec3 emitted = emittedRadiance(light, point.normal, query.reference - point.position);
-    samples[i] =
-        TestLightSample(point.position, point.error, point.normal, point.pdf, pdf,
-                        chooseLight(query.lightCount, query.u.zw), 0u, 0u, vec4(emitted, 0.0));
+    LightChoice choice = chooseLight(query.lightCount, query.u.zw);
+    samples[i] = TestLightSample(point.position, point.error, point.normal, point.pdf, pdf,
+                                 choice.light, 0u, 0u, vec4(emitted, 0.0));
 }

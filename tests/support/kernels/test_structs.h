@@ -45,11 +45,16 @@ struct TestOffset {
 struct TestLightQuery {
     vec3 reference;
     uint light;
-    vec4 u; ///< x, y: on the light; z, w: choice of a light
+    vec4 u; ///< x, y: on the light; z, w: choice of a light, and between two such numbers
     uint lightCount;
     uint pad0;
     uint pad1;
     uint pad2;
+};
+
+struct TestLightChoice {
+    uint light;
+    float u;
 };
 
 struct TestLightSample {
