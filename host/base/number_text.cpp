@@ -28,6 +28,12 @@ std::string withPrefix(double number) {
            prefixes[prefix];
 }
 
+std::string shortNumber(double number, int digits) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.*g", digits, number);
+    return text;
+}
+
 std::string percentText(double share) {
     const double percent = 100.0 * share;
     return formatted(percent < 9.995   ? "%.2f %%"
@@ -36,7 +42,7 @@ std::string percentText(double share) {
                      percent);
 }
 
-std::string targetText(double share) { return formatted("%g %%", 100.0 * share); }
+std::string targetText(double share) { return shortNumber(100.0 * share) + " %"; }
 
 std::string durationText(double seconds) {
     if (seconds < 9.95)

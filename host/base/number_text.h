@@ -7,6 +7,9 @@ namespace calotype {
 /// "1.25 M", "830", "12.1 k": three digits and a prefix.
 std::string withPrefix(double number);
 
+/// "0.25", "1e-09": no more digits than it takes, and `digits` at most.
+std::string shortNumber(double number, int digits = 6);
+
 /// "1.93 %": a relative error.
 std::string percentText(double share);
 

@@ -116,8 +116,9 @@ CLI::App& addStudyCommand(CLI::App& app, StudyOptions& options) {
                      "; \"reference\": the reference tracer, in double precision on the CPU");
     command.footer(
         "Two fifths of the time go to a reference, the rest in equal parts to the default settings "
-        "and to\nchanges of one of them, and last to those together that were for the better. "
-        "Ctrl-C keeps what was\nmeasured so far.");
+        "and to\none change of them at a time, to the report's settings, and last to the changes "
+        "that "
+        "were for the\nbetter together. Ctrl-C keeps what was measured so far.");
     return command;
 }
 

@@ -8,10 +8,10 @@
 #include "base/error.h"
 #include "cli/device_session.h"
 #include "cli/exit_code.h"
+#include "cli/read_scene.h"
 #include "film/film_file.h"
 #include "pack/gpu_scene.h"
 #include "render/path_tracer.h"
-#include "scene/load.h"
 #include "scene/scene_bounds.h"
 #include "shared/limits.h"
 
@@ -82,12 +82,8 @@ int infoCommand(const InfoOptions& options) {
     }
     if (options.asJson)
         throw UsageError("--json is for films, and '" + options.scene.path + "' is none");
-    LoadOptions loadOptions;
-    loadOptions.overrides = options.scene.overrides;
-    loadOptions.missingTextures = options.scene.missingTextures;
-    const Scene scene = loadScene(options.scene.path, loadOptions);
-    for (const std::string& warning : scene.warnings)
-        std::fprintf(stderr, "calotype: warning: %s\n", warning.c_str());
+    const Scene scene = readScene(options.scene, std::nullopt, [](const std::string&, double) {});
+    printWarnings(scene);
     const glm::dvec3 origin = packingOrigin(scene);
     const std::vector<Primitive> primitives = collectPrimitives(scene, origin);
     const FilmSettings& film = scene.film;

@@ -16,13 +16,13 @@
 #include "cli/interrupt.h"
 #include "cli/picture_writer.h"
 #include "cli/progress.h"
+#include "cli/read_scene.h"
 #include "cli/render_engine.h"
 #include "cli/render_report.h"
 #include "cli/statistics.h"
 #include "cli/timed.h"
 #include "render/adaptive_session.h"
 #include "render/render_session.h"
-#include "scene/load.h"
 
 namespace calotype {
 namespace {
@@ -41,10 +41,8 @@ void step(Progress& progress, const std::string& what, double done) {
 }
 
 RenderSettings makeSettings(const RenderOptions& options, const Scene& scene) {
-    RenderSettings settings;
-    settings.width = scene.film.width;
-    settings.height = scene.film.height;
-    settings.crop = options.crop.value_or(Crop{0, 0, settings.width, settings.height});
+    RenderSettings settings = settingsOf(scene);
+    settings.crop = options.crop.value_or(settings.crop);
     const Crop& crop = settings.crop;
     if (crop.x >= settings.width || crop.width > settings.width - crop.x ||
         crop.y >= settings.height || crop.height > settings.height - crop.y)
@@ -54,13 +52,13 @@ RenderSettings makeSettings(const RenderOptions& options, const Scene& scene) {
     // samples.
     const bool hasGoal = options.targetError || options.seconds;
     settings.samplesPerPixel = options.samplesPerPixel.value_or(
-        hasGoal ? RenderDefaults::kMostSamplesPerPixel : scene.render.samplesPerPixel);
+        hasGoal ? RenderDefaults::kMostSamplesPerPixel : settings.samplesPerPixel);
     if (options.samples) {
         settings.firstSample = options.samples->begin;
         settings.samplesPerPixel = options.samples->end - options.samples->begin;
     }
-    settings.maxBounces = options.maxBounces.value_or(scene.render.maxBounces);
-    settings.seed = options.seed.value_or(scene.render.seed);
+    settings.maxBounces = options.maxBounces.value_or(settings.maxBounces);
+    settings.seed = options.seed.value_or(settings.seed);
     settings.sampler = options.sampler;
     settings.transport = options.transport;
     return settings;
@@ -86,8 +84,7 @@ public:
         Progress preparation(options_.quiet);
         const Scene scene = timed(seconds_.load, [&] { return load(preparation); });
         preparation.clear();
-        for (const std::string& warning : scene.warnings)
-            std::fprintf(stderr, "calotype: warning: %s\n", warning.c_str());
+        printWarnings(scene);
         const RenderSettings settings = makeSettings(options_, scene);
         FilmKeeper keeper(options_.film,
                           labelOf(scene, settings, builderFor(options_), options_.textureFilter),
@@ -129,14 +126,9 @@ public:
 
 private:
     Scene load(Progress& progress) {
-        LoadOptions loadOptions;
-        loadOptions.overrides = options_.scene.overrides;
-        loadOptions.missingTextures = options_.scene.missingTextures;
-        loadOptions.size = options_.size;
-        loadOptions.onProgress = [&](const std::string& what, double done) {
-            step(progress, "loading " + what, done);
-        };
-        Scene scene = loadScene(options_.scene.path, loadOptions);
+        Scene scene =
+            readScene(options_.scene, options_.size,
+                      [&](const std::string& what, double done) { step(progress, what, done); });
         scene.lightChoice = options_.lightChoice;
         if (options_.textureFilter)
             for (Texture& texture : scene.textures)

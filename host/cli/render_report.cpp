@@ -1,5 +1,6 @@
 #include "cli/render_report.h"
 
+#include <cmath>
 #include <cstdio>
 
 #include "base/number_text.h"
@@ -42,6 +43,15 @@ void reportInterrupt(const RenderReport& report, const std::string& samples) {
                  samples.c_str(), what, placeOf(report).c_str());
 }
 
+/// The estimate, and the bound by which a goal is judged.
+std::string judgedText(const ErrorEstimate& error) {
+    const bool tellsMore = error.isTrusted() && std::isfinite(error.upperBound());
+    return ": it is" + estimateText(error) +
+           (tellsMore
+                ? ", or up to " + percentText(error.upperBound()) + " for all that the samples tell"
+                : "");
+}
+
 /// A goal that was missed.
 void warnOfGoal(const RenderReport& report) {
     const auto& [options, totals, ending, samplesWanted, film, cutPixels] = report;
@@ -50,7 +60,7 @@ void warnOfGoal(const RenderReport& report) {
                      "calotype: warning: the error of %s that --target-error asks for was not "
                      "reached%s\n",
                      percentText(*options.targetError).c_str(),
-                     totals.error ? (": it is" + estimateText(*totals.error)).c_str() : "");
+                     totals.error ? judgedText(*totals.error).c_str() : "");
 }
 
 } // namespace

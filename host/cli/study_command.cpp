@@ -1,4 +1,7 @@
+#include <algorithm>
+#include <cctype>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <memory>
@@ -9,11 +12,12 @@
 #include "base/number_text.h"
 #include "base/stopwatch.h"
 #include "cli/commands.h"
+#include "cli/device_session.h"
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
 #include "cli/progress.h"
+#include "cli/read_scene.h"
 #include "cli/render_engine.h"
-#include "scene/load.h"
 #include "study/advice.h"
 #include "study/csv.h"
 #include "study/page.h"
@@ -24,17 +28,6 @@ namespace calotype {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-StudySettings usualSettings(const Scene& scene) {
-    StudySettings usual;
-    usual.render.width = scene.film.width;
-    usual.render.height = scene.film.height;
-    usual.render.crop = {0, 0, scene.film.width, scene.film.height};
-    usual.render.maxBounces = scene.render.maxBounces;
-    usual.render.seed = scene.render.seed;
-    usual.render.sampler = Sampler::Sobol;
-    return usual;
-}
 
 /// Throws OutputError where the folder cannot be made or written to.
 std::filesystem::path makeFolder(const StudyOptions& options) {
@@ -48,6 +41,31 @@ std::filesystem::path makeFolder(const StudyOptions& options) {
     for (const char* name : {"study.csv", "study.svg", "study.html"})
         checkWritable(folder / name);
     return folder;
+}
+
+/// As a shell takes it for one word.
+std::string shellWord(const std::string& text) {
+    const auto isPlain = [](unsigned char c) {
+        return std::isalnum(c) || std::strchr("_-./=,:", c) != nullptr;
+    };
+    if (!text.empty() && std::ranges::all_of(text, isPlain))
+        return text;
+    std::string word = "'";
+    for (const char c : text)
+        word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return word + "'";
+}
+
+/// The command that renders what the study is about.
+std::string renderCommandOf(const StudyOptions& options) {
+    std::string command = "calotype render " + shellWord(options.scene.path);
+    for (const SceneOverride& override : options.scene.overrides)
+        command += " --set " + shellWord(override.pointer + "=" + override.value);
+    if (options.scene.missingTextures == MissingTextures::Warn)
+        command += " --missing-textures warn";
+    if (!options.device.device.empty())
+        command += " --device " + shellWord(options.device.device);
+    return command + " -o picture.exr";
 }
 
 void printChoices(const Study& study) {
@@ -69,6 +87,37 @@ void printChoices(const Study& study) {
     }
 }
 
+/// Where one of them fails, the others are written all the same.
+void writeAll(const Study& study, const StudyOrigin& origin, const std::filesystem::path& folder) {
+    std::exception_ptr failure;
+    const auto write = [&](const char* name, const std::string& contents) {
+        try {
+            writeFileAtomically(folder / name, contents);
+        } catch (const OutputError&) {
+            failure = std::current_exception();
+        }
+    };
+    write("study.csv", toCsv(study));
+    write("study.svg", toSvg(study, origin.scene));
+    write("study.html", toHtml(study, origin));
+    if (failure)
+        std::rethrow_exception(failure);
+}
+
+/// What is missing from the study. Returns the exit code.
+int reportGaps(const Study& study, const std::filesystem::path& folder) {
+    for (const FailedVariant& failure : study.failures)
+        std::fprintf(stderr, "calotype: warning: not measured: %s. %s\n", failure.name.c_str(),
+                     failure.reason.c_str());
+    if (study.ending == StudyEnding::OutOfTime)
+        std::fprintf(stderr, "calotype: warning: --budget was too short for all settings\n");
+    if (study.ending == StudyEnding::Stopped)
+        std::fprintf(stderr, "calotype: interrupted; what was measured so far is in %s\n",
+                     folder.string().c_str());
+    const bool isDone = study.ending != StudyEnding::Stopped && study.failures.empty();
+    return isDone ? kExitDone : kExitOther;
+}
+
 } // namespace
 
 int studyCommand(const StudyOptions& options) {
@@ -80,34 +129,29 @@ int studyCommand(const StudyOptions& options) {
         const double left = options.budget - secondsSince(start);
         progress.step(what + ", " + durationText(std::max(0.0, left)) + " left", done);
     };
-    const auto throwIfInterrupted = [] {
+    Scene scene = readScene(options.scene, options.size, [&](const std::string& what, double) {
         if (isInterrupted())
             throw Interrupted();
-    };
-    LoadOptions loadOptions;
-    loadOptions.overrides = options.scene.overrides;
-    loadOptions.missingTextures = options.scene.missingTextures;
-    loadOptions.size = options.size;
-    loadOptions.onProgress = [&](const std::string& what, double) {
-        throwIfInterrupted();
-        show("loading " + what);
-    };
-    Scene scene = loadScene(options.scene.path, loadOptions);
+        show(what);
+    });
     progress.clear();
     const std::filesystem::path folder = makeFolder(options);
-    for (const std::string& warning : scene.warnings)
-        std::fprintf(stderr, "calotype: warning: %s\n", warning.c_str());
+    printWarnings(scene);
 
     StudyOrigin origin;
     origin.scene = std::filesystem::path(options.scene.path).filename().string();
-    origin.command = "calotype render " + options.scene.path + " -o picture.exr";
+    origin.command = renderCommandOf(options);
     const PrepareTracer prepare = [&](const StudySettings& settings) {
         scene.lightChoice = settings.lightChoice;
         StageSeconds seconds;
         std::shared_ptr<RenderEngine> engine =
             makeEngine(options.device, scene,
                        {settings.render, false, settings.bvh, settings.compilesEverything,
-                        [&](const std::string& what, double) { show(what); }},
+                        [&](const std::string& what, double) {
+                            if (isInterrupted())
+                                throw StudyStopped();
+                            show(what);
+                        }},
                        seconds);
         if (engine->maxRadiance() == 0.0)
             throw SceneError(options.scene.path, "the scene has no light, so no error to study");
@@ -119,21 +163,16 @@ int studyCommand(const StudyOptions& options) {
     observer.shouldStop = isInterrupted;
     observer.onProgress = show;
     const double left = std::max(0.0, options.budget - secondsSince(start));
-    const Study study =
-        runStudy({usualSettings(scene), left, options.size.has_value()}, prepare, observer);
+    const StudyPlan plan{
+        {settingsOf(scene)}, left, options.size.has_value(), isReference(options.device)};
+    const Study study = runStudy(plan, prepare, observer);
     progress.clear();
     if (study.measurements.empty())
         throw Error("interrupted before the default settings were measured; nothing was written");
-    writeFileAtomically(folder / "study.csv", toCsv(study));
-    writeFileAtomically(folder / "study.svg", toSvg(study, origin.scene));
-    writeFileAtomically(folder / "study.html", toHtml(study, origin));
+    writeAll(study, origin, folder);
     printChoices(study);
     std::printf("%s\n", (folder / "study.html").string().c_str());
-    if (study.isWhole)
-        return kExitDone;
-    std::fprintf(stderr, "calotype: interrupted; what was measured so far is in %s\n",
-                 folder.string().c_str());
-    return kExitOther;
+    return reportGaps(study, folder);
 }
 
 } // namespace calotype

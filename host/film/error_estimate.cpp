@@ -43,7 +43,7 @@ struct PixelSpread {
     double mean = 0.0;
     double variance = 0.0; ///< of the mean
     double degrees = 0.0;  ///< of freedom, of the variance
-    /// The variance over L^2 + floor^2, where L is the mean of all replicas; and where it is, for
+    /// relativeShare of the variance, where L is the mean of all replicas; and where it is, for
     /// each replica's deviation, the mean of the others.
     double relative = 0.0;
     double relativeToOthers = 0.0;
@@ -89,16 +89,11 @@ private:
     ReplicaSum all_;
 };
 
-/// `part` over L^2 + floor^2.
-double shareOf(double part, double luminance, double floor) {
-    return part > 0.0 ? part / (square(luminance) + square(floor)) : 0.0;
-}
-
 /// Takes the rounding of float sums for no noise.
-PixelSpread withoutRounding(PixelSpread spread, double floor) {
+PixelSpread withoutRounding(PixelSpread spread, double meanLuminance) {
     if (spread.variance <= square(kRounding * spread.mean))
         return {spread.mean, spread.variance, spread.degrees, 0.0, 0.0};
-    spread.relative = shareOf(spread.variance, spread.mean, floor);
+    spread.relative = relativeShare(spread.variance, spread.mean, meanLuminance);
     return spread;
 }
 
@@ -117,15 +112,15 @@ public:
     bool areEnough() const { return replicas_ >= 2; }
     double meanOf(size_t pixel) const { return replicasOf(pixel).mean(); }
 
-    PixelSpread spreadOf(size_t pixel, double floor) const {
+    PixelSpread spreadOf(size_t pixel, double meanLuminance) const {
         const Replicas replicas = replicasOf(pixel);
         const ReplicaSum& all = replicas.all();
         PixelSpread spread{replicas.mean(), 0.0, static_cast<double>(replicas.count() - 1), 0, 0};
         spread.variance = replicas.variance([&](double part, const ReplicaSum& one) {
             const double others = (all.luminance - one.luminance) / (all.samples - one.samples);
-            spread.relativeToOthers += shareOf(part, others, floor);
+            spread.relativeToOthers += relativeShare(part, others, meanLuminance);
         });
-        return withoutRounding(spread, floor);
+        return withoutRounding(spread, meanLuminance);
     }
 
 private:
@@ -160,7 +155,7 @@ public:
         return 0.5 * (half(0, pixel).mean() + half(1, pixel).mean());
     }
 
-    PixelSpread spreadOf(size_t pixel, double floor) const {
+    PixelSpread spreadOf(size_t pixel, double meanLuminance) const {
         const std::array<Replicas, AdaptiveFilm::kHalves> halves = {half(0, pixel), half(1, pixel)};
         const double all = halves[0].all().samples + halves[1].all().samples;
         const double sum = halves[0].all().luminance + halves[1].all().luminance;
@@ -169,13 +164,13 @@ public:
         for (const Replicas& half : halves) {
             const double variance = half.variance([&](double part, const ReplicaSum& one) {
                 const double others = (sum - one.luminance) / (all - one.samples);
-                spread.relativeToOthers += shareOf(0.25 * part, others, floor);
+                spread.relativeToOthers += relativeShare(0.25 * part, others, meanLuminance);
             });
             spread.variance += 0.25 * variance;
             squares += square(0.25 * variance) / (half.count() - 1);
         }
         spread.degrees = squares > 0.0 ? square(spread.variance) / squares : 1.0; // Welch 1947
-        return withoutRounding(spread, floor);
+        return withoutRounding(spread, meanLuminance);
     }
 
 private:
@@ -201,18 +196,18 @@ std::optional<ErrorEstimate> estimate(const Pixels& pixels) {
         luminances += pixels.meanOf(i);
     if (luminances <= 0.0)
         return std::nullopt;
-    const double floor = 0.01 * luminances / count;
+    const double meanLuminance = luminances / count;
     double sum = 0.0;
     double squares = 0.0;
     double toOthers = 0.0;
     for (size_t i = 0; i < pixels.count(); ++i) {
-        const PixelSpread spread = pixels.spreadOf(i, floor);
+        const PixelSpread spread = pixels.spreadOf(i, meanLuminance);
         sum += spread.relative;
         squares += square(spread.relative) / spread.degrees;
         toOthers += spread.relativeToOthers;
     }
     ErrorEstimate estimate;
-    estimate.relative = kNormalInterval * std::sqrt(sum / count);
+    estimate.relative = relativeError(sum / count);
     estimate.replicas = pixels.replicas();
     // A sum of estimates of n degrees of freedom each has sum^2 / (squares / n) of them
     // (Satterthwaite 1946), and a share of 2 over that as its variance.
@@ -239,6 +234,13 @@ std::vector<PixelError> errorsOf(const Pixels& pixels) {
 }
 
 } // namespace
+
+double relativeShare(double variance, double luminance, double meanLuminance) {
+    const double floor = 0.01 * meanLuminance;
+    return variance > 0.0 ? variance / (square(luminance) + square(floor)) : 0.0;
+}
+
+double relativeError(double meanShare) { return kNormalInterval * std::sqrt(meanShare); }
 
 bool ErrorEstimate::isTrusted() const { return doubt.has_value() && *doubt <= kMostDoubt; }
 

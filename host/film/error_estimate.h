@@ -37,6 +37,11 @@ struct ErrorEstimate {
     double upperBound() const;
 };
 
+/// The formula above, as a sum over pixels: of one pixel, `variance` (or a squared deviation) over
+/// L^2 + (0.01 mean L)^2; and of the mean of those, `relative`.
+double relativeShare(double variance, double luminance, double meanLuminance);
+double relativeError(double meanShare);
+
 /// None of a film that holds fewer than two replicas (of an adaptive film, in each half of each
 /// pixel), or is black, so that light may be missing.
 std::optional<ErrorEstimate> estimateError(const Film& film);

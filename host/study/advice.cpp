@@ -9,8 +9,8 @@
 namespace calotype {
 namespace {
 
-/// Differences of less than this are noise.
-constexpr double kNoise = 0.1;
+/// Numbers of samples that differ by no more are as many.
+constexpr double kAsMany = 0.1;
 
 /// A floor of less than this share of an error is lost in its noise.
 constexpr double kSeenShare = 0.3;
@@ -21,7 +21,7 @@ std::string times(double ratio) {
     return text;
 }
 
-bool isNoise(double ratio) { return std::abs(std::log(ratio)) < kNoise; }
+bool isNear(double ratio, double share) { return std::abs(std::log(ratio)) < share; }
 
 double secondsPerSample(const CurvePoint& point) { return point.seconds / point.samples; }
 
@@ -30,7 +30,7 @@ std::optional<double> errorRatio(const Measurement& variant, const Measurement& 
     for (auto mine = variant.curve.rbegin(); mine != variant.curve.rend(); ++mine)
         for (const CurvePoint& other : usual.curve) {
             const double ratio = mine->samples / other.samples;
-            if (mine->error && other.error && isNoise(ratio))
+            if (mine->error && other.error && isNear(ratio, kAsMany))
                 return *mine->error / *other.error * std::sqrt(ratio);
         }
     return std::nullopt;
@@ -63,7 +63,7 @@ Comparison compare(const Measurement& variant, const Measurement& usual) {
     return comparison;
 }
 
-std::string sentenceOf(const Measurement& variant, const Measurement& usual) {
+std::string sentenceOf(const Measurement& variant, const Measurement& usual, double noise) {
     const Comparison comparison = compare(variant, usual);
     std::string text;
     if (comparison.timePerSample)
@@ -74,16 +74,15 @@ std::string sentenceOf(const Measurement& variant, const Measurement& usual) {
     if (!text.empty())
         text += ". ";
     if (comparison.time)
-        text += isNoise(*comparison.time)
+        text += isNear(*comparison.time, noise)
                     ? "To the same error it takes as long, as far as can be told. "
                     : "To the same error it takes " + times(*comparison.time) + " times as long. ";
     if (variant.variant.losesLight)
         text += lossOf(variant);
-    const double build = variant.buildSeconds - usual.buildSeconds;
-    const double compile = variant.compileSeconds - usual.compileSeconds;
-    const double longer = build + compile;
+    // Not of compiling: that takes long only where the kernel is not yet in the cache.
+    const double longer = variant.buildSeconds - usual.buildSeconds;
     if (std::abs(longer) > std::max(0.2, 0.05 * usual.last().seconds))
-        text += (text.ends_with(' ') ? "" : " ") + std::string("It is ready to start ") +
+        text += (text.ends_with(' ') ? "" : " ") + std::string("Its tree is ready ") +
                 durationText(std::abs(longer)) + (longer < 0.0 ? " sooner." : " later.");
     while (text.ends_with(' '))
         text.pop_back();
@@ -105,7 +104,8 @@ std::vector<Choice> choicesOf(const Study& study) {
             // A kernel of everything is no choice: it is there to be compared.
             if (!seconds || (!isUsual && measurement.variant.options.empty()))
                 continue;
-            const double most = choice.usual ? (1.0 - kNoise) * *choice.usual : *seconds;
+            const double most =
+                choice.usual ? (1.0 - study.timingNoise()) * *choice.usual : *seconds;
             const bool isBetter = !choice.measurement || *seconds < choice.seconds;
             if (isUsual || (isBetter && *seconds <= most)) {
                 choice.measurement = &measurement;

@@ -18,8 +18,8 @@ struct Comparison {
 };
 Comparison compare(const Measurement& variant, const Measurement& usual);
 
-/// A sentence or two: what the variant costs and gives.
-std::string sentenceOf(const Measurement& variant, const Measurement& usual);
+/// A sentence or two: what the variant costs and gives. Shares of time below `noise` tell nothing.
+std::string sentenceOf(const Measurement& variant, const Measurement& usual, double noise);
 
 /// What a study would choose to reach an error.
 struct Choice {
@@ -31,8 +31,8 @@ struct Choice {
 
 inline constexpr std::array kTargets = {0.05, 0.02, 0.01};
 
-/// For each of kTargets: the usual settings unless another variant needs a tenth less time, and
-/// what light it loses is less than half of the error.
+/// For each of kTargets: the usual settings unless another variant needs less time by more than
+/// Study::timingNoise, and what light it loses is less than half of the error.
 std::vector<Choice> choicesOf(const Study& study);
 
 } // namespace calotype

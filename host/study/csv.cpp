@@ -1,20 +1,15 @@
 #include "study/csv.h"
 
 #include <cmath>
-#include <cstdio>
 #include <optional>
+
+#include "base/number_text.h"
 
 namespace calotype {
 namespace {
 
 /// Nothing where it is not known.
-std::string number(double value) {
-    if (!std::isfinite(value))
-        return "";
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", value);
-    return text;
-}
+std::string number(double value) { return std::isfinite(value) ? shortNumber(value) : ""; }
 
 std::string number(const std::optional<double>& value) { return value ? number(*value) : ""; }
 

@@ -41,6 +41,9 @@ figcaption { font-size: 0.82rem; line-height: 1.35; margin-top: 0.3rem; }
   gap: 0.2rem 0.9rem; font-size: 0.85rem; }
 )";
 
+/// Of timingNoise, from which on a reader is told.
+constexpr double kRough = 0.3;
+
 std::string tag(const std::string& name, const std::string& contents) {
     return "<" + name + ">" + contents + "</" + name + ">\n";
 }
@@ -132,14 +135,24 @@ private:
                             std::to_string(reference.samples) +
                             " samples per pixel, whose own is " + percentText(reference.error) +
                             ".";
-        if (!study_.isWhole)
+        if (study_.ending == StudyEnding::Stopped)
             words += " The study was stopped before its end.";
+        if (study_.ending == StudyEnding::OutOfTime)
+            words += " The time was too short for all settings.";
         std::string html = tag("p", words);
         if (!reference.isTrusted)
             html += tag("p", "<strong>The reference is not to be trusted</strong>: its light comes "
                              "by rare bright samples, or it has too few of any. More light may be "
                              "missing from it, and the figures below with it. A longer budget "
                              "helps.");
+        if (study_.timingNoise() > kRough)
+            html +=
+                tag("p", "<strong>The times are rough</strong>: the machine's pace differed by " +
+                             percentText(study_.paceSpread) +
+                             " from one moment to the next. A longer budget helps.");
+        for (const FailedVariant& failure : study_.failures)
+            html +=
+                tag("p", "Not measured: " + escaped(failure.name) + ". " + escaped(failure.reason));
         return html;
     }
 
@@ -183,13 +196,14 @@ private:
             if (!options.empty())
                 term.append(" ").append(optionCode(options));
             list += tag("dt", term);
-            list += tag("dd", i == 0 ? defaultSentence() : sentenceOf(measurement, usual()));
+            list += tag("dd", i == 0 ? defaultSentence()
+                                     : sentenceOf(measurement, usual(), study_.timingNoise()));
         }
         return tag("h2", "What each setting costs and gives") + "<dl>" + list + "</dl>\n" +
-               faint(
-                   "One render each, in turn: differences of a tenth are noise. Ratios are to the "
-                   "default, whose pace between them corrects all seconds for what else the "
-                   "machine did.");
+               faint("One render each, in turn: times that differ by less than " +
+                     percentText(study_.timingNoise()) +
+                     " tell nothing. Ratios are to the default, whose pace between them corrects "
+                     "all seconds for what else the machine did.");
     }
 
     std::string defaultSentence() const {

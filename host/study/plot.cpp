@@ -75,22 +75,16 @@ std::string line(double x0, double y0, double x1, double y1) {
            coordinate(x1) + " " + coordinate(y1) + "\"/>\n";
 }
 
-std::string number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%g", value);
-    return text;
-}
-
 std::string grid(const LogAxis& x, const LogAxis& y) {
     std::string svg;
     const double bottom = kTop + kPlotHeight;
     for (const double seconds : x.ticks()) {
         svg += line(x.at(seconds), kTop, x.at(seconds), bottom);
-        svg += text(x.at(seconds), bottom + 18.0, "middle", number(seconds));
+        svg += text(x.at(seconds), bottom + 18.0, "middle", shortNumber(seconds));
     }
     for (const double error : y.ticks()) {
         svg += line(kLeft, y.at(error), kWidth - kRight, y.at(error));
-        svg += text(kLeft - 6.0, y.at(error) + 5.0, "end", number(100.0 * error) + " %");
+        svg += text(kLeft - 6.0, y.at(error) + 5.0, "end", targetText(error));
     }
     svg += text(0.5 * (kLeft + kWidth - kRight), bottom + 38.0, "middle", "seconds of sampling");
     return svg;
@@ -104,11 +98,13 @@ std::string path(const std::vector<CurvePoint>& points, const LogAxis& x, const 
             data += data.empty() ? 'M' : 'L';
             data += coordinate(x.at(point.seconds)) + ' ' + coordinate(y.at(*point.error));
         }
-    return data.empty() ? "" : "<path " + attributes + " d=\"" + data + "\"/>\n";
+    // A line to where it ends, by which round caps make a dot of a single point.
+    return data.empty() ? "" : "<path " + attributes + " d=\"" + data + "h0\"/>\n";
 }
 
 std::string strokeOf(const Measurement& measurement, size_t index) {
-    std::string attributes = "fill=\"none\" stroke=\"" + variantColor(index) + "\" stroke-width=\"";
+    std::string attributes = "fill=\"none\" stroke-linecap=\"round\" stroke=\"" +
+                             variantColor(index) + "\" stroke-width=\"";
     attributes += index == 0 ? "3\"" : "1.6\"";
     if (measurement.variant.losesLight)
         attributes += " stroke-dasharray=\"5 3\"";

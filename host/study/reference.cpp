@@ -3,12 +3,11 @@
 #include <cmath>
 #include <limits>
 
+#include "film/error_estimate.h"
 #include "math/luminance.h"
 
 namespace calotype {
 namespace {
-
-constexpr double kNormalInterval = 1.96; // as in ErrorEstimate
 
 double square(double x) { return x * x; }
 
@@ -29,11 +28,12 @@ Reference::Reference(Session& session) : picture(session.picture()) {
 
 std::optional<double> Reference::errorOf(const Image& image) const {
     double sum = 0.0;
-    for (size_t i = 0; i < luminances.size(); ++i)
-        sum += square(luminance(glm::dvec3(image.pixels[i])) - luminances[i]) /
-               (square(luminances[i]) + square(0.01 * mean));
-    const double measured = square(kNormalInterval) * sum / static_cast<double>(luminances.size());
-    const double left = measured - square(error);
+    for (size_t i = 0; i < luminances.size(); ++i) {
+        const double deviation = luminance(glm::dvec3(image.pixels[i])) - luminances[i];
+        sum += relativeShare(square(deviation), luminances[i], mean);
+    }
+    const double measured = relativeError(sum / static_cast<double>(luminances.size()));
+    const double left = square(measured) - square(error);
     if (!(left > square(error))) // below its own error a reference cannot tell
         return std::nullopt;
     return std::sqrt(left);

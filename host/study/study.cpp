@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "base/number_text.h"
 #include "base/stopwatch.h"
 #include "render/adaptive_session.h"
 #include "render/render_session.h"
@@ -20,10 +21,12 @@ constexpr double kReferenceShare = 0.4;
 constexpr double kReferenceSamples = 4096.0;
 constexpr double kLeastPixels = 48.0 * 48.0;
 constexpr uint32_t kLargestPart = 256; ///< pixels on a side
-/// A change is for the better where it takes less than so much of the time to the same error.
-constexpr double kBetter = 0.85;
+/// Of the time to the same error, by which a change is for the better; where it is not noise.
+constexpr double kBetter = 0.15;
 /// Of a variant's time, for the machine's pace.
 constexpr double kYardstickShare = 0.15;
+/// A variant has at least so much of its share of the time, however long it takes to prepare.
+constexpr double kLeastShare = 0.2;
 
 double pixelsOf(const StudySettings& settings) {
     return static_cast<double>(settings.render.width) * settings.render.height;
@@ -46,12 +49,20 @@ public:
     }
 
     Study run() {
-        if (!plan_.keepsSize)
-            chooseSize();
-        renderReference();
-        if (!isStopped_)
-            sweep();
-        study_.isWhole = !isStopped_;
+        try {
+            if (!plan_.keepsSize)
+                chooseSize();
+            if (!isStopped_)
+                renderReference();
+            if (!isStopped_)
+                sweep();
+        } catch (const StudyStopped&) {
+            isStopped_ = true;
+        }
+        study_.ending = isStopped_     ? StudyEnding::Stopped
+                        : isOutOfTime_ ? StudyEnding::OutOfTime
+                                       : StudyEnding::Whole;
+        correctForPace();
         return std::move(study_);
     }
 
@@ -103,12 +114,13 @@ private:
     void renderReference() {
         StudySettings settings = study_.usual;
         settings.render.seed += 1; // so that it shares nothing with what it judges
+        const Clock::time_point before = Clock::now();
         const PreparedTracer prepared = prepare_(settings);
+        prepareSeconds_ = secondsSince(before);
         const auto session = makeSession(prepared, settings);
         const double seconds = kReferenceShare * secondsLeft();
         if (sample(*session, seconds, "rendering the reference", [] {}))
             study_.reference.emplace(*session);
-        prepareSeconds_ = prepared.buildSeconds + prepared.compileSeconds;
     }
 
     void sweep() {
@@ -119,34 +131,55 @@ private:
                         " samples per pixel, and needs 32; give it more, or a smaller --size");
         if (reference.mean <= 0.0)
             throw Error("the picture is black, so there is no error to study");
-        const std::vector<Variant> variants = variantsOf(study_.usual, reference.mean);
-        const auto count = static_cast<double>(variants.size()) + 1.0; // and some together
-        const double share = secondsLeft() / count;
-        Yardstick yardstick(*this, kYardstickShare * share);
-        yardstick.measure();
-        // As long for each, so that they can be compared.
-        const double seconds =
-            std::max(0.2 * share, (1.0 - kYardstickShare) * share - prepareSeconds_);
-        const auto take = [&](const Variant& variant) {
-            if (isStopped_ || !measure(variant, seconds))
-                return;
-            yardstick.measure();
-            // The usual settings are a yardstick themselves.
-            Measurement& measurement = study_.measurements.back();
-            measurement.pace =
-                study_.measurements.size() == 1 ? paceOf(measurement.last()) : yardstick.lastPace();
-        };
+        const std::vector<Variant> variants =
+            variantsOf(study_.usual, reference.mean, plan_.isReference);
+        size_t left = variants.size() + 1; // and some together
+        share_ = secondsLeft() / static_cast<double>(left);
+        if (share_ <= 0.0)
+            throw Error("the budget is too short: getting ready alone took " +
+                        durationText(prepareSeconds_));
+        yardstick_.emplace(*this);
+        yardstick_->measure();
         for (const Variant& variant : variants)
-            take(variant);
-        const double usualPace = yardstick.usualPace();
+            take(variant, left--);
         std::vector<Variant> better;
         for (const Measurement& measurement : study_.measurements)
             if (isForTheBetter(measurement))
                 better.push_back(measurement.variant);
         if (better.size() > 1)
-            take(together(better));
+            take(together(better), left);
+    }
+
+    /// As long for each, so that they can be compared; `left` are to come, this one among them.
+    void take(const Variant& variant, size_t left) {
+        const double share = std::min(share_, secondsLeft() / static_cast<double>(left));
+        isOutOfTime_ = isOutOfTime_ || share <= 0.0;
+        if (isStopped_ || isOutOfTime_)
+            return;
+        const double seconds =
+            std::max(kLeastShare * share_, (1.0 - kYardstickShare) * share - prepareSeconds_);
+        try {
+            if (!measure(variant, seconds))
+                return;
+        } catch (const Error& error) {
+            if (study_.measurements.empty())
+                throw;
+            study_.failures.push_back({variant.name, error.what()});
+            return;
+        }
+        yardstick_->measure();
+        study_.paceSpread = yardstick_->spread();
+        // The usual settings are a yardstick themselves.
+        Measurement& measurement = study_.measurements.back();
+        measurement.pace =
+            study_.measurements.size() == 1 ? paceOf(measurement.last()) : yardstick_->lastPace();
+    }
+
+    void correctForPace() {
+        if (!yardstick_)
+            return;
         for (Measurement& measurement : study_.measurements) {
-            measurement.pace /= usualPace;
+            measurement.pace /= yardstick_->usualPace();
             for (CurvePoint& point : measurement.curve)
                 point.seconds *= measurement.pace;
         }
@@ -160,15 +193,16 @@ private:
     /// The usual settings, of which a little is rendered now and then.
     class Yardstick {
     public:
-        Yardstick(StudyRun& run, double seconds)
-            : run_(run), seconds_(seconds), prepared_(run.prepare_(run.study_.usual)),
+        explicit Yardstick(StudyRun& run)
+            : run_(run), prepared_(run.prepare_(run.study_.usual)),
               session_(makeSession(prepared_, run.study_.usual)) {}
 
         void measure() {
             const RenderTotals& totals = session_->totals();
             const uint64_t paths = totals.paths;
             const double before = totals.seconds;
-            run_.sample(*session_, before + seconds_, "measuring the pace", [] {});
+            run_.sample(*session_, before + kYardstickShare * run_.share_, "measuring the pace",
+                        [] {});
             if (totals.seconds > before)
                 paces_.push_back(static_cast<double>(totals.paths - paths) /
                                  (totals.seconds - before));
@@ -186,9 +220,17 @@ private:
             return paces[paces.size() / 2];
         }
 
+        /// Study::paceSpread.
+        double spread() const {
+            double squares = 0.0;
+            for (size_t i = 1; i < paces_.size(); ++i)
+                squares += 0.5 * std::pow(std::log(paces_[i] / paces_[i - 1]), 2.0);
+            return paces_.size() < 2 ? 0.0
+                                     : std::sqrt(squares / static_cast<double>(paces_.size() - 1));
+        }
+
     private:
         StudyRun& run_;
-        double seconds_;
         PreparedTracer prepared_;
         std::unique_ptr<Session> session_;
         std::vector<double> paces_;
@@ -202,7 +244,7 @@ private:
         const auto cost = [](const Measurement& one) {
             return one.pace * one.last().seconds * *one.last().error * *one.last().error;
         };
-        return cost(measurement) < kBetter * cost(usual);
+        return cost(measurement) < (1.0 - std::max(kBetter, study_.timingNoise())) * cost(usual);
     }
 
     /// False where the user stopped it: what is not whole does not count.
@@ -249,11 +291,19 @@ private:
     const StudyObserver& observer_;
     const Clock::time_point start_ = Clock::now();
     bool isStopped_ = false;
+    bool isOutOfTime_ = false;
     double prepareSeconds_ = 0.0;
+    double share_ = 0.0; ///< of the time, for each variant
     Study study_;
+    std::optional<Yardstick> yardstick_;
 };
 
 } // namespace
+
+double Study::timingNoise() const {
+    constexpr double kLeast = 0.1;
+    return std::max(kLeast, 2.0 * paceSpread);
+}
 
 Image middleOf(const Image& image) {
     Image part(std::min(image.width, kLargestPart), std::min(image.height, kLargestPart));

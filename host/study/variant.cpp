@@ -1,25 +1,11 @@
 #include "study/variant.h"
 
-#include <cmath>
-#include <cstdio>
+#include "base/number_text.h"
 
 namespace calotype {
 namespace {
 
 constexpr uint32_t kBouncesOfTheReport = 4;
-
-/// Of two significant digits, so that users can type it.
-double rounded(double number) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.1e", number);
-    return std::strtod(text, nullptr);
-}
-
-std::string numberText(double number) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%g", number);
-    return text;
-}
 
 Variant fewerBounces(uint32_t bounces) {
     return {std::to_string(bounces) + (bounces == 1 ? " bounce" : " bounces"),
@@ -27,16 +13,18 @@ Variant fewerBounces(uint32_t bounces) {
             [bounces](StudySettings& settings) { settings.render.maxBounces = bounces; }};
 }
 
+/// At a radiance of two digits, so that users can type it.
 Variant clampAt(double radiance) {
-    return {"indirect light clamped at " + numberText(radiance),
-            "--clamp-indirect " + numberText(radiance), true, [radiance](StudySettings& settings) {
-                settings.render.transport.indirectClamp = static_cast<float>(radiance);
+    const std::string text = shortNumber(radiance, 2);
+    return {"indirect light clamped at " + text, "--clamp-indirect " + text, true,
+            [text](StudySettings& settings) {
+                settings.render.transport.indirectClamp = std::stof(text);
             }};
 }
 
 } // namespace
 
-std::vector<Variant> variantsOf(const StudySettings& usual, double mean) {
+std::vector<Variant> variantsOf(const StudySettings& usual, double mean, bool isReference) {
     std::vector<Variant> variants = {
         {"the default", "", false, {}},
         {"adaptive sampling", "--adaptive", false,
@@ -48,19 +36,21 @@ std::vector<Variant> variantsOf(const StudySettings& usual, double mean) {
         {"sampling lights alone", "--mis off", false,
          [](StudySettings& settings) { settings.render.transport.usesMis = false; }},
         {"all lights as often", "--light-choice uniform", false,
-         [](StudySettings& settings) { settings.lightChoice = LightChoice::Uniform; }},
-        {"median splits", "--bvh median", false,
-         [](StudySettings& settings) { settings.bvh = BvhBuilder::Median; }},
-        {"a kernel of everything", "", false,
-         [](StudySettings& settings) { settings.compilesEverything = true; }}};
+         [](StudySettings& settings) { settings.lightChoice = LightChoice::Uniform; }}};
+    if (!isReference) {
+        variants.push_back({"median splits", "--bvh median", false,
+                            [](StudySettings& settings) { settings.bvh = BvhBuilder::Median; }});
+        variants.push_back({"a kernel of everything", "", false,
+                            [](StudySettings& settings) { settings.compilesEverything = true; }});
+    }
     const uint32_t bounces = usual.render.maxBounces;
     if (bounces >= 2)
         variants.push_back(fewerBounces(bounces / 2));
     if (bounces >= 4)
         variants.push_back(fewerBounces(bounces / 4));
     if (mean > 0.0) {
-        variants.push_back(clampAt(rounded(10.0 * mean)));
-        variants.push_back(clampAt(rounded(mean)));
+        variants.push_back(clampAt(10.0 * mean));
+        variants.push_back(clampAt(mean));
     }
     variants.push_back({"the report's settings",
                         "--sampler independent --roulette off --mis off --max-bounces " +
@@ -76,13 +66,11 @@ std::vector<Variant> variantsOf(const StudySettings& usual, double mean) {
 }
 
 Variant together(const std::vector<Variant>& variants) {
-    Variant all{"together:", "", false, [variants](StudySettings& settings) {
+    Variant all{"what helps, together", "", false, [variants](StudySettings& settings) {
                     for (const Variant& variant : variants)
                         variant.change(settings);
                 }};
     for (const Variant& variant : variants) {
-        const bool isFirst = &variant == &variants.front();
-        all.name += (isFirst ? " " : " and ") + variant.name;
         if (!variant.options.empty())
             all.options += (all.options.empty() ? "" : " ") + variant.options;
         all.losesLight = all.losesLight || variant.losesLight;

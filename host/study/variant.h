@@ -34,8 +34,9 @@ struct Variant {
 };
 
 /// What a study tries, the usual settings first, the report's last. `usual` are of the scene, and
-/// `mean` is the picture's mean radiance, W/(m^2 sr).
-std::vector<Variant> variantsOf(const StudySettings& usual, double mean);
+/// `mean` is the picture's mean radiance, W/(m^2 sr). The reference tracer has no choice of tree
+/// and kernel.
+std::vector<Variant> variantsOf(const StudySettings& usual, double mean, bool isReference = false);
 
 /// All of these changes at once.
 Variant together(const std::vector<Variant>& variants);

@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/error.h"
+#include "render/render_session.h"
 #include "study/advice.h"
 #include "study/csv.h"
 #include "study/markup.h"
@@ -83,24 +85,53 @@ TEST(StudyAdvice, ComparesWithTheUsual) {
     EXPECT_NEAR(comparison.timePerSample.value(), 1.25, 1e-12);
     EXPECT_NEAR(comparison.error.value(), 0.5, 1e-12);
     EXPECT_NEAR(comparison.time.value(), 1.25 * 0.25, 1e-9);
-    const std::string sentence = sentenceOf(better, usual);
+    const std::string sentence = sentenceOf(better, usual, 0.1);
     for (const char* part : {"1.25 times as long", "0.50 of the default", "0.31 times as long."})
         EXPECT_NE(sentence.find(part), std::string::npos) << sentence;
-    EXPECT_NE(sentenceOf(madeUp("same", 1.0, 10.0), usual).find("as far as can be told"),
+    EXPECT_NE(sentenceOf(madeUp("same", 1.0, 10.0), usual, 0.1).find("as far as can be told"),
               std::string::npos);
     Measurement dark = madeUp("dark", 1.0, 10.0, 0.2);
     dark.brighter = -0.07;
     dark.brighterError = 0.01;
-    EXPECT_NE(sentenceOf(dark, usual).find("7.00 % darker, and the error never falls below 20.0 %"),
-              std::string::npos)
-        << sentenceOf(dark, usual);
+    EXPECT_NE(
+        sentenceOf(dark, usual, 0.1).find("7.00 % darker, and the error never falls below 20.0 %"),
+        std::string::npos)
+        << sentenceOf(dark, usual, 0.1);
     Measurement dim = madeUp("dim", 1.0, 10.0, 0.001);
     dim.brighter = -0.01;
     dim.brighterError = 0.001;
-    EXPECT_NE(sentenceOf(dim, usual).find("1.00 % darker, which the error does not show yet"),
+    EXPECT_NE(sentenceOf(dim, usual, 0.1).find("1.00 % darker, which the error does not show yet"),
               std::string::npos);
     dark.brighterError = 0.05;
-    EXPECT_NE(sentenceOf(dark, usual).find("none was seen"), std::string::npos);
+    EXPECT_NE(sentenceOf(dark, usual, 0.1).find("none was seen"), std::string::npos);
+}
+
+// Of errors that do not fall as the root of samples only those of as many can be compared.
+TEST(StudyAdvice, ComparesErrorsOfAsManySamples) {
+    Measurement steep = madeUp("usual", 1.0, 10.0);
+    for (CurvePoint& point : steep.curve)
+        point.error = std::pow(point.samples, -0.7);
+    const Measurement flat = madeUp("flat", 1.0, 10.0);
+    EXPECT_NEAR(compare(flat, steep).error.value(), std::pow(1024.0, 0.2), 1e-9);
+    Measurement few = steep;
+    few.curve.resize(4);
+    EXPECT_NEAR(compare(flat, few).error.value(), std::pow(8.0, 0.2), 1e-9);
+    for (CurvePoint& point : few.curve)
+        point.samples *= 1.3;
+    EXPECT_FALSE(compare(flat, few).error);
+}
+
+// What the machine's pace could have done by chance is no reason to choose.
+TEST(StudyAdvice, DoubtsTimesOfAnUnevenMachine) {
+    Study study;
+    study.measurements = {madeUp("usual", 1.0, 10.0), madeUp("quicker", 1.0, 13.0)};
+    EXPECT_EQ(choicesOf(study)[0].measurement->variant.name, "quicker");
+    study.paceSpread = 0.15;
+    EXPECT_NEAR(study.timingNoise(), 0.3, 1e-12);
+    EXPECT_EQ(choicesOf(study)[0].measurement->variant.name, "usual");
+    const std::string sentence =
+        sentenceOf(study.measurements[1], study.measurements[0], study.timingNoise());
+    EXPECT_NE(sentence.find("as far as can be told"), std::string::npos) << sentence;
 }
 
 TEST(StudyAdvice, ChoosesWhatIsSoonestThere) {
@@ -137,6 +168,11 @@ TEST(StudyVariants, ChangeOneThingEach) {
           "--max-bounces 3", "--clamp-indirect 5", "--clamp-indirect 0.5", "--light-choice uniform",
           "--bvh median", "--sampler independent --roulette off --mis off --max-bounces 4"})
         EXPECT_EQ(std::ranges::count(options, option), 1) << option;
+    const std::vector<Variant> ofReference = variantsOf(usual, 0.5, true);
+    EXPECT_EQ(ofReference.size(), variants.size() - 2);
+    for (const Variant& variant : ofReference)
+        EXPECT_TRUE(variant.name == "the default" ||
+                    (!variant.options.empty() && variant.options != "--bvh median"));
     const Variant both = together({variants[1], variants[2]});
     EXPECT_EQ(both.options, "--adaptive --sampler independent");
     EXPECT_TRUE(both.settings(usual).adapts);
@@ -204,11 +240,39 @@ const PrepareTracer kPrepare = [](const StudySettings& settings) {
     return PreparedTracer{tracer, tracer.get(), 4.0, 0.01, 0.02};
 };
 
+/// After so many samples, of independent noise.
+std::unique_ptr<RenderSession> noiseSession(NoiseTracer& tracer, const RenderSettings& settings) {
+    auto session = std::make_unique<RenderSession>(tracer, settings, 4.0);
+    session->run({});
+    return session;
+}
+
+// From a reference of twice its samples a picture is a fifth further away than its error.
+TEST(StudyReference, TakesOffItsOwnError) {
+    StudySettings settings;
+    settings.render.width = settings.render.height = 64;
+    settings.render.crop = {0, 0, 64, 64};
+    settings.render.maxBounces = 8;
+    settings.render.samplesPerPixel = 256;
+    NoiseTracer referenceTracer(settings);
+    const auto referenceSession = noiseSession(referenceTracer, settings.render);
+    const Reference reference(*referenceSession);
+    EXPECT_NEAR(reference.error, 1.96 * 0.4 / 16.0, 0.003);
+    settings.render.seed = 1;
+    settings.render.samplesPerPixel = 128;
+    NoiseTracer tracer(settings);
+    const auto session = noiseSession(tracer, settings.render);
+    EXPECT_NEAR(reference.errorOf(session->picture()).value(), 1.96 * 0.4 / std::sqrt(128.0),
+                0.003);
+    EXPECT_FALSE(reference.errorOf(reference.picture)) << "nearer than its own error";
+}
+
+const StudyObserver kPatient{[] { return false; }, [](const std::string&) {}};
+
 // Through all of it: the errors are those of the noise that went in, and so is the advice.
 TEST(Study, MeasuresWhatIsThere) {
-    const StudyObserver observer{[] { return false; }, [](const std::string&) {}};
-    const Study study = runStudy(planOf(4.0), kPrepare, observer);
-    ASSERT_TRUE(study.isWhole);
+    const Study study = runStudy(planOf(4.0), kPrepare, kPatient);
+    ASSERT_EQ(study.ending, StudyEnding::Whole);
     ASSERT_TRUE(study.reference);
     EXPECT_TRUE(study.reference->isTrusted);
     size_t compared = 0;
@@ -265,13 +329,59 @@ TEST(Study, CorrectsForTheMachinesPace) {
         const auto tracer = std::make_shared<SleepyTracer>(settings, isSlow);
         return PreparedTracer{tracer, tracer.get(), 4.0};
     };
-    const StudyObserver observer{[] { return false; }, [](const std::string&) {}};
-    const Study study = runStudy(plan, prepare, observer);
+    const Study study = runStudy(plan, prepare, kPatient);
     const Measurement& late = study.measurements.back();
     EXPECT_GT(late.last().samples, 0.0);
     EXPECT_LT(late.last().samples, 0.6 * study.measurements.front().last().samples)
         << "it did get slow";
     EXPECT_NEAR(compare(late, study.measurements.front()).timePerSample.value(), 1.0, 0.25);
+}
+
+// What one setting cannot do is no reason to lose the others.
+TEST(Study, GoesOnWhereAVariantFails) {
+    const PrepareTracer prepare = [](const StudySettings& settings) {
+        if (settings.bvh == BvhBuilder::Median)
+            throw GpuError("the device was lost.");
+        return kPrepare(settings);
+    };
+    const Study study = runStudy(planOf(3.0), prepare, kPatient);
+    EXPECT_EQ(study.ending, StudyEnding::Whole);
+    ASSERT_EQ(study.failures.size(), 1u);
+    EXPECT_EQ(study.failures[0].name, "median splits");
+    EXPECT_EQ(study.measurements.back().variant.name, "the report's settings");
+    const std::string page = toHtml(study, {"a.json", "none", "calotype render a.json"});
+    EXPECT_NE(page.find("Not measured: median splits. the device was lost."), std::string::npos);
+    const PrepareTracer never = [](const StudySettings&) -> PreparedTracer {
+        throw GpuError("the device was lost.");
+    };
+    EXPECT_THROW(runStudy(planOf(3.0), never, kPatient), GpuError);
+}
+
+// Preparations that take far longer than the budget has for them.
+TEST(Study, EndsWithItsBudget) {
+    const PrepareTracer slow = [](const StudySettings& settings) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(400));
+        return kPrepare(settings);
+    };
+    const auto start = std::chrono::steady_clock::now();
+    const Study study = runStudy(planOf(3.0), slow, kPatient);
+    const std::chrono::duration<double> age = std::chrono::steady_clock::now() - start;
+    EXPECT_LT(age.count(), 4.5);
+    EXPECT_EQ(study.ending, StudyEnding::OutOfTime);
+    EXPECT_GE(study.measurements.size(), 1u);
+    EXPECT_THROW(runStudy(planOf(0.3), slow, kPatient), Error);
+}
+
+// The user stops it while a variant is being prepared.
+TEST(Study, StopsInAPreparation) {
+    const PrepareTracer prepare = [](const StudySettings& settings) {
+        if (!settings.render.transport.usesRoulette)
+            throw StudyStopped();
+        return kPrepare(settings);
+    };
+    const Study study = runStudy(planOf(3.0), prepare, kPatient);
+    EXPECT_EQ(study.ending, StudyEnding::Stopped);
+    EXPECT_EQ(study.measurements.back().variant.name, "independent samples");
 }
 
 TEST(Study, StoppedKeepsWhatIsWhole) {
@@ -282,7 +392,7 @@ TEST(Study, StoppedKeepsWhatIsWhole) {
     const StudyObserver observer{[&] { return age() > 2.0; }, [](const std::string&) {}};
     const Study study = runStudy(planOf(4.0), kPrepare, observer);
     EXPECT_LT(age(), 3.0);
-    EXPECT_FALSE(study.isWhole);
+    EXPECT_EQ(study.ending, StudyEnding::Stopped);
     ASSERT_GE(study.measurements.size(), 1u);
     EXPECT_LT(study.measurements.size(), 8u);
     const std::string page = toHtml(study, {"a<b.json", "none", "calotype render a<b.json"});
