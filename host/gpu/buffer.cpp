@@ -73,16 +73,19 @@ void copyByStaging(const Device& device, std::span<const std::byte> contents, co
     }
 }
 
+void overwrite(const Device& device, std::span<const std::byte> contents, const Buffer& buffer) {
+    if (buffer.mapped<std::byte>().empty())
+        copyByStaging(device, contents, buffer);
+    else
+        std::ranges::copy(contents, buffer.mapped<std::byte>().begin());
+}
+
 Buffer uploadBuffer(const Device& device, std::span<const std::byte> contents,
                     vk::BufferUsageFlags usage, const std::string& name) {
     using Usage = vk::BufferUsageFlagBits;
     Buffer buffer(device, contents.size(), usage | Usage::eTransferDst, Buffer::Memory::Device,
                   name);
-    if (!buffer.mapped<std::byte>().empty()) {
-        std::ranges::copy(contents, buffer.mapped<std::byte>().begin());
-        return buffer;
-    }
-    copyByStaging(device, contents, buffer);
+    overwrite(device, contents, buffer);
     return buffer;
 }
 

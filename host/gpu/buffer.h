@@ -40,8 +40,11 @@ private:
 Buffer uploadBuffer(const Device& device, std::span<const std::byte> contents,
                     vk::BufferUsageFlags usage, const std::string& name);
 
+/// Overwrites the start of a buffer on the device, a transfer's destination.
+void overwrite(const Device& device, std::span<const std::byte> contents, const Buffer& buffer);
+
 /// Copies to the start of a buffer that is a transfer's destination, through a mapped one of at
-/// most `stagingBytes`: what uploadBuffer does where the device's memory is not mapped.
+/// most `stagingBytes`: what overwrite does where the device's memory is not mapped.
 void copyByStaging(const Device& device, std::span<const std::byte> contents, const Buffer& buffer,
                    size_t stagingBytes = size_t{64} << 20);
 

@@ -10,16 +10,9 @@ namespace {
 
 constexpr uint64_t kNumbers = uint64_t{1} << 24; ///< that a uniform random number may be
 
-/// The random numbers that fall into each of `count` columns.
-std::vector<uint32_t> columnCapacities(uint64_t count) {
-    const auto numbersBefore = [&](uint64_t column) {
-        return (column * kNumbers + count - 1) / count;
-    };
-    std::vector<uint32_t> capacities;
-    for (uint64_t column = 0; column < count; ++column)
-        capacities.push_back(
-            static_cast<uint32_t>(numbersBefore(column + 1) - numbersBefore(column)));
-    return capacities;
+/// The random numbers that fall into the columns before `column`, of `count` columns.
+uint32_t numbersBefore(uint64_t column, uint64_t count) {
+    return static_cast<uint32_t>((column * kNumbers + count - 1) / count);
 }
 
 /// All random numbers, dealt out by weight: one each to all that weigh something, of the others
@@ -50,16 +43,17 @@ std::vector<uint32_t> dealNumbers(std::span<const double> weights) {
 
 std::vector<AliasColumn> buildAliasTable(std::span<const double> weights) {
     constexpr double kProbabilityPerNumber = 1.0 / kNumbers;
-    const std::vector<uint32_t> capacities = columnCapacities(weights.size());
     std::vector<uint32_t> numbers = dealNumbers(weights);
-    std::vector<AliasColumn> columns(weights.size());
+    std::vector<AliasColumn> columns;
     std::vector<uint32_t> underfull;
     std::vector<uint32_t> overfull;
     for (uint32_t i = 0; i < weights.size(); ++i) {
-        columns[i] = {numbers[i] * kProbabilityPerNumber, capacities[i], i};
-        if (numbers[i] < capacities[i])
+        const uint32_t first = numbersBefore(i, weights.size());
+        const uint32_t capacity = numbersBefore(i + 1, weights.size()) - first;
+        columns.push_back({numbers[i] * kProbabilityPerNumber, first, capacity, 0, i});
+        if (numbers[i] < capacity)
             underfull.push_back(i);
-        else if (numbers[i] > capacities[i])
+        else if (numbers[i] > capacity)
             overfull.push_back(i);
     }
     // Capacities differ by one at most, so that an overfull column can fill any underfull one.
@@ -67,13 +61,16 @@ std::vector<AliasColumn> buildAliasTable(std::span<const double> weights) {
         const uint32_t receiver = underfull.back();
         const uint32_t donor = overfull.back();
         underfull.pop_back();
-        columns[receiver].ownNumbers = numbers[receiver];
-        columns[receiver].alias = donor;
-        numbers[donor] -= capacities[receiver] - numbers[receiver];
-        if (numbers[donor] > capacities[donor])
+        AliasColumn& column = columns[receiver];
+        column.aliasNumbers = column.ownNumbers - numbers[receiver];
+        column.ownNumbers = numbers[receiver];
+        column.alias = donor;
+        numbers[donor] -= column.aliasNumbers;
+        const uint32_t capacity = columns[donor].ownNumbers; // all its own as yet
+        if (numbers[donor] > capacity)
             continue;
         overfull.pop_back();
-        if (numbers[donor] < capacities[donor])
+        if (numbers[donor] < capacity)
             underfull.push_back(donor);
     }
     return columns;

@@ -6,11 +6,12 @@
 
 namespace calotype {
 
-/// One column of the table. Of the random numbers that fall into it the first `ownNumbers` choose
-/// the column's own index, the others `alias`.
+/// One column of the table, and the random numbers that fall into it.
 struct AliasColumn {
-    double probability = 0.0; ///< with which the index is chosen, by whatever column
-    uint32_t ownNumbers = 0;
+    double probability = 0.0; ///< with which the column's index is chosen, by whatever column
+    uint32_t firstNumber = 0;
+    uint32_t ownNumbers = 0;   ///< from there on, which choose the column's index
+    uint32_t aliasNumbers = 0; ///< after those, which choose `alias`
     uint32_t alias = 0;
 };
 

@@ -78,7 +78,9 @@ std::vector<gpu::Light> LightPacker::take() {
     for (size_t i = 0; i < lights_.size(); ++i) {
         gpu::Light light = lights_[i].light;
         light.selectionProbability = static_cast<float>(columns[i].probability);
+        light.firstNumber = columns[i].firstNumber;
         light.ownNumbers = columns[i].ownNumbers;
+        light.aliasNumbers = columns[i].aliasNumbers;
         light.alias = columns[i].alias;
         packed.push_back(light);
     }

@@ -21,6 +21,7 @@ public:
 
     virtual ~BlockTracer() = default;
 
+    /// Of the block that was begun last: those with pixels that are not all left out, or more.
     virtual uint32_t tileCount() const = 0;
 
     /// Empties the block; its next samples have absolute indices from `firstSample` on. Pixels

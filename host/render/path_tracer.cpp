@@ -12,13 +12,11 @@ namespace calotype {
 namespace {
 
 gpu::RenderParameters makeParameters(const GpuScene& scene, const RenderSettings& settings,
-                                     uint32_t tileCount, uint32_t iterationBudget) {
+                                     uint32_t iterationBudget) {
     gpu::RenderParameters parameters{};
     parameters.imageSize = {settings.width, settings.height};
     parameters.cropOrigin = {settings.crop.x, settings.crop.y};
     parameters.cropSize = {settings.crop.width, settings.crop.height};
-    parameters.tileCount = tileCount;
-    parameters.tileStride = coprimeStride(tileCount);
     parameters.seed = settings.seed;
     parameters.maxBounces = settings.maxBounces;
     parameters.lightCount = scene.lightCount;
@@ -29,11 +27,12 @@ gpu::RenderParameters makeParameters(const GpuScene& scene, const RenderSettings
 
 std::vector<Binding> withKernelBindings(std::vector<Binding> bindings, const Buffer& camera,
                                         const StorageImage& block, const Buffer& counters,
-                                        const Buffer& parkedPaths) {
+                                        const Buffer& parkedPaths, const Buffer& tileList) {
     bindings.push_back(Binding::uniformBuffer(gpu::kBindingCamera, camera));
     bindings.push_back(Binding::storageImage(gpu::kBindingBlock, block));
     bindings.push_back(Binding::storageBuffer(gpu::kBindingCounters, counters));
     bindings.push_back(Binding::storageBuffer(gpu::kBindingParkedPaths, parkedPaths));
+    bindings.push_back(Binding::storageBuffer(gpu::kBindingTiles, tileList));
     return bindings;
 }
 
@@ -42,6 +41,8 @@ size_t parkedBytes(const Device& device, const Crop& crop) {
            device.info().subgroupSize * gpu::kTasksPerLane * sizeof(gpu::ParkedPath);
 }
 
+size_t tileListBytes(const Crop& crop) { return countTiles(crop) * sizeof(uint32_t); }
+
 size_t blockBytes(const Crop& crop) { return size_t{crop.width} * crop.height * sizeof(glm::vec4); }
 
 } // namespace
@@ -49,12 +50,15 @@ size_t blockBytes(const Crop& crop) { return size_t{crop.width} * crop.height * 
 PathTracer::PathTracer(const Device& device, const GpuScene& scene, const SceneBuffers& buffers,
                        const SceneFeatures& features, const RenderSettings& settings,
                        const std::optional<KernelTuning>& tuning)
-    : device_(device), tileCount_(countTiles(settings.crop)),
-      parameters_(makeParameters(scene, settings, tileCount_, loopBudget(device))),
+    : device_(device), crop_(settings.crop),
+      parameters_(makeParameters(scene, settings, loopBudget(device))),
       block_(device, settings.crop.width, settings.crop.height, "block"),
       pixels_(device, blockBytes(settings.crop),
               vk::BufferUsageFlagBits::eTransferSrc | vk::BufferUsageFlagBits::eTransferDst,
               Buffer::Memory::Host, "block on its way"),
+      tileList_(device, tileListBytes(settings.crop),
+                vk::BufferUsageFlagBits::eStorageBuffer | vk::BufferUsageFlagBits::eTransferDst,
+                Buffer::Memory::Device, "tiles"),
       camera_(uploadBuffer(device, std::as_bytes(std::span(&scene.camera, 1)),
                            vk::BufferUsageFlagBits::eUniformBuffer, "camera")),
       counters_(device, sizeof(gpu::RenderCounters), vk::BufferUsageFlagBits::eStorageBuffer,
@@ -63,7 +67,7 @@ PathTracer::PathTracer(const Device& device, const GpuScene& scene, const SceneB
       pipeline_(device, {.name = "path trace",
                          .spirv = kPathTraceSpirv,
                          .bindings = withKernelBindings(buffers.bindings(), camera_, block_,
-                                                        counters_, parkedPaths_),
+                                                        counters_, parkedPaths_, tileList_),
                          .constants = specialization(device, features, tuning, settings.sampler,
                                                      settings.transport),
                          .pushConstantBytes = sizeof(gpu::RenderParameters)}) {
@@ -85,10 +89,30 @@ void PathTracer::beginBlock(uint32_t firstSample, std::span<const uint8_t> isLef
     if (isUnfinished_)
         clear(device_, parkedPaths_);
     isUnfinished_ = false;
+    if (!isLeftOut.empty() || tiles_.size() != countTiles(crop_))
+        listTiles(isLeftOut);
+}
+
+void PathTracer::listTiles(std::span<const uint8_t> isLeftOut) {
+    const uint32_t count = countTiles(crop_);
+    std::vector<uint8_t> hasPixels(count, isLeftOut.empty() ? 1 : 0);
+    for (size_t i = 0; i < isLeftOut.size(); ++i)
+        if (isLeftOut[i] == 0) {
+            const auto x = static_cast<uint32_t>(i % crop_.width);
+            const auto y = static_cast<uint32_t>(i / crop_.width);
+            hasPixels[y / gpu::kTileSize * tilesAlong(crop_.width) + x / gpu::kTileSize] = 1;
+        }
+    const uint32_t stride = coprimeStride(count);
+    tiles_.clear();
+    for (uint32_t i = 0; i < count; ++i)
+        if (const uint32_t tile = i * stride % count; hasPixels[tile] != 0)
+            tiles_.push_back(tile);
+    overwrite(device_, std::as_bytes(std::span(tiles_)), tileList_);
 }
 
 gpu::RenderCounters PathTracer::renderTiles(TileRange tiles, uint32_t sampleEnd) {
     CALOTYPE_CHECK_LE(tiles.count, gpu::kMostTilesPerDispatch);
+    CALOTYPE_CHECK_LE(tiles.first + tiles.count, tileCount());
     parameters_.firstTile = tiles.first;
     parameters_.sampleEnd = sampleEnd;
     gpu::RenderCounters& counters = counters_.mapped<gpu::RenderCounters>()[0];
@@ -105,7 +129,7 @@ std::span<const glm::vec4> PathTracer::readBlock() {
 
 uint64_t pathTracerBytes(const Device& device, const RenderSettings& settings) {
     return 2 * blockBytes(settings.crop) + sizeof(gpu::Camera) + sizeof(gpu::RenderCounters) +
-           parkedBytes(device, settings.crop);
+           parkedBytes(device, settings.crop) + tileListBytes(settings.crop);
 }
 
 } // namespace calotype

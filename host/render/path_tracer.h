@@ -26,18 +26,23 @@ public:
                const SceneFeatures& features, const RenderSettings& settings,
                const std::optional<KernelTuning>& tuning = std::nullopt);
 
-    uint32_t tileCount() const override { return tileCount_; }
+    uint32_t tileCount() const override { return static_cast<uint32_t>(tiles_.size()); }
     void beginBlock(uint32_t firstSample, std::span<const uint8_t> isLeftOut = {}) override;
     /// One dispatch: it goes as far as the device's loop budget allows.
     gpu::RenderCounters renderTiles(TileRange tiles, uint32_t sampleEnd) override;
     std::span<const glm::vec4> readBlock() override;
 
 private:
+    /// Lists the tiles that have pixels which are not left out.
+    void listTiles(std::span<const uint8_t> isLeftOut);
+
     const Device& device_;
-    uint32_t tileCount_;
+    Crop crop_;
+    std::vector<uint32_t> tiles_; ///< of the block, in the order in which they are taken
     gpu::RenderParameters parameters_{};
     StorageImage block_;
-    Buffer pixels_; ///< on their way to the block or from it
+    Buffer pixels_;   ///< on their way to the block or from it
+    Buffer tileList_; ///< tiles_, for the kernel
     Buffer camera_;
     Buffer counters_;
     Buffer parkedPaths_;

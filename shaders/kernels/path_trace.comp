@@ -21,8 +21,7 @@ bool isThrough(PixelTask task) { return task.hasPath && !task.hasRay; }
 void main() {
     PathLimits limits =
         PathLimits(parameters.maxBounces, parameters.lightCount, parameters.indirectClamp);
-    TileWork work = resumeTile((parameters.firstTile + gl_WorkGroupID.x) * parameters.tileStride %
-                               parameters.tileCount);
+    TileWork work = resumeTile(tiles[parameters.firstTile + gl_WorkGroupID.x]);
     PixelTask current = resumeTask(work, 0u);
     PixelTask waiting = resumeTask(work, 1u);
     LaneTotals totals = LaneTotals(0u, 0u, 0u, 0u);

@@ -11,6 +11,7 @@ layout(set = 0, binding = kBindingCamera) uniform CameraBlock { Camera camera; }
 layout(set = 0, binding = kBindingBlock, rgba32f) uniform image2D block;
 layout(set = 0, binding = kBindingCounters) buffer CountersBlock { RenderCounters counters; };
 layout(set = 0, binding = kBindingParkedPaths) buffer ParkedPaths { ParkedPath parkedPaths[]; };
+layout(set = 0, binding = kBindingTiles) readonly buffer Tiles { uint tiles[]; };
 
 struct TileWork {
     uvec2 corner;  ///< its first pixel

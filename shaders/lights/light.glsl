@@ -21,17 +21,15 @@ struct LightChoice {
 /// choose the same, with u.y for the way to the next, is again uniform, and spread over the light
 /// as evenly as u.x is over them all.
 LightChoice chooseLight(uint lightCount, vec2 u) {
-    const uint kNumbers = 1u << 24u;
-    uint column, scaledRest;
-    umulExtended(uint(u.x * float(kNumbers)) << 8u, lightCount, column, scaledRest);
-    uint rest = scaledRest >> 8u;
-    uint before = rest / lightCount; // numbers of this column below this one
-    uint after = (kNumbers - 1u - rest) / lightCount;
+    uint number = uint(u.x * 16777216.0);
+    uint column, ignored;
+    umulExtended(number << 8u, lightCount, column, ignored);
     Light light = loadLight(column);
-    bool own = before < light.ownNumbers;
-    float place = float(own ? before : before - light.ownNumbers) + u.y;
-    float run = float(own ? light.ownNumbers : before + 1u + after - light.ownNumbers);
-    return LightChoice(own ? column : light.alias, min(place / run, kOneMinusEpsilon));
+    uint place = number - light.firstNumber;
+    bool isOwn = place < light.ownNumbers;
+    uint run = isOwn ? light.ownNumbers : light.aliasNumbers;
+    float inRun = float(isOwn ? place : place - light.ownNumbers) + u.y;
+    return LightChoice(isOwn ? column : light.alias, min(inRun / float(run), kOneMinusEpsilon));
 }
 
 bool isQuadricLight(Light light) {

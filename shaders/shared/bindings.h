@@ -28,6 +28,8 @@ CALOTYPE_CONSTANT uint kBindingFirstHits = 13;
 CALOTYPE_CONSTANT uint kBindingParkedPaths = 14;
 CALOTYPE_CONSTANT uint kBindingRays = 15;       ///< storage buffer of ListedRay
 CALOTYPE_CONSTANT uint kBindingListedHits = 16; ///< storage buffer of ListedHit
+/// Storage buffer of the numbers of the tiles to render, row by row, in the order to take them in.
+CALOTYPE_CONSTANT uint kBindingTiles = 17;
 
 // Scene features: what the kernel is specialised for. All default to true.
 CALOTYPE_CONSTANT uint kFeatureTriangles = 0;

@@ -12,9 +12,7 @@ struct RenderParameters {
     uvec2 imageSize;  ///< of the whole film, pixels
     uvec2 cropOrigin; ///< first pixel of the storage image on the film
     uvec2 cropSize;   ///< of the storage image, pixels
-    uint firstTile;   ///< in the order of `tileStride`
-    uint tileCount;   ///< tiles of the whole storage image
-    uint tileStride;  ///< coprime to tileCount: spreads neighbouring tiles over the threads
+    uint firstTile;   ///< in the list of tiles
     uint firstSample; ///< absolute index of the block's first sample
     uint sampleEnd;   ///< samples of this block to have after the dispatch, at most
     uint seed;
@@ -83,7 +81,7 @@ CALOTYPE_END_SHARED
 
 #ifdef __cplusplus
 namespace calotype::gpu {
-static_assert(sizeof(RenderParameters) == 64);
+static_assert(sizeof(RenderParameters) == 56);
 static_assert(sizeof(RenderCounters) == 32);
 static_assert(sizeof(ParkedPath) == 112);
 static_assert(sizeof(FirstHitParameters) == 32);

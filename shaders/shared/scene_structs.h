@@ -159,12 +159,12 @@ struct Light {
     uint primitive;
     float area;                 ///< m^2
     float selectionProbability; ///< probability with which this light is chosen
-    uint ownNumbers; ///< of the column's random numbers, the first ones, which choose this light
-    uint alias;      ///< the light that its other numbers choose
+    uint firstNumber;  ///< of the random numbers that fall into the column, in units of 2^-24
+    uint ownNumbers;   ///< those from there on that choose this light
+    uint aliasNumbers; ///< those after them, which choose the light `alias`
+    uint alias;
     uint flags;
     uint pad0;
-    uint pad1;
-    uint pad2;
 };
 
 /// Perspective: `right` and `up` reach from the centre of the image plane, one unit along

@@ -42,6 +42,34 @@ double trueError(const JudgedPicture& picture, const JudgedPicture& truth) {
     return std::sqrt(std::max(0.0, square - std::pow(truth.estimate.relative, 2.0)));
 }
 
+/// All samples of a block.
+std::vector<glm::vec4> renderBlock(BlockTracer& tracer, std::span<const uint8_t> isLeftOut) {
+    tracer.beginBlock(0, isLeftOut);
+    for (uint32_t tile = 0; tile < tracer.tileCount(); ++tile)
+        while (tracer.renderTiles({tile, 1}, gpu::kSamplesPerBlock).unfinishedPixels > 0)
+            ;
+    const std::span<const glm::vec4> block = tracer.readBlock();
+    return {block.begin(), block.end()};
+}
+
+// What lacks no samples costs nothing, and what does gets those of a whole block.
+TEST_F(AdaptiveTest, RendersTheTilesThatLackSamples) {
+    const Scene scene = projectScene("scenes/cornell-box.json");
+    RenderSettings settings = settingsFor(scene, 50, 0, 3); // whose last tiles reach beyond it
+    DeviceTracer device(scene, settings);
+    const std::vector<glm::vec4> whole = renderBlock(device.tracer(), {});
+    EXPECT_EQ(device.tracer().tileCount(), 16u);
+    std::vector<uint8_t> isLeftOut(whole.size(), 1);
+    for (const size_t pixel : {20 * 50 + 31, 21 * 50 + 32, 49 * 50 + 49}) // in three tiles
+        isLeftOut[pixel] = 0;
+    const std::vector<glm::vec4> few = renderBlock(device.tracer(), isLeftOut);
+    EXPECT_EQ(device.tracer().tileCount(), 3u);
+    for (size_t i = 0; i < few.size(); ++i)
+        EXPECT_EQ(few[i], isLeftOut[i] != 0 ? glm::vec4(0, 0, 0, 16) : whole[i]) << i;
+    EXPECT_EQ(renderBlock(device.tracer(), {}), whole);
+    EXPECT_EQ(device.tracer().tileCount(), 16u);
+}
+
 // Noise in a few places: at as many samples the error is smaller, and what is stated is true.
 TEST_F(AdaptiveTest, SpendsSamplesBetter) {
     for (const char* path : {"scenes/dielectric.json", "scenes/depth-of-field.json"}) {

@@ -35,13 +35,17 @@ void expectChances(const std::vector<double>& weights) {
     const std::vector<double> chances = chancesOf(columns);
     ASSERT_EQ(columns.size(), weights.size());
     const auto count = static_cast<double>(columns.size());
+    uint64_t next = 0;
     for (size_t i = 0; i < weights.size(); ++i) {
+        EXPECT_EQ(columns[i].firstNumber, next);
+        next += uint64_t{columns[i].ownNumbers} + columns[i].aliasNumbers;
         const double share = weights[i] / sum;
         EXPECT_EQ(columns[i].probability, chances[i]) << i;
         EXPECT_NEAR(columns[i].probability, share, (count * share + 2.0) * 0x1p-24) << i;
         EXPECT_LT(columns[i].alias, columns.size());
         EXPECT_EQ(columns[i].probability > 0.0, weights[i] > 0.0);
     }
+    EXPECT_EQ(next, kNumbers);
 }
 
 TEST(AliasTable, ReproducesEveryChance) {

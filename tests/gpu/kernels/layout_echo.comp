@@ -125,12 +125,12 @@ void putLight() {
     put(l.primitive);
     put(l.area);
     put(l.selectionProbability);
+    put(l.firstNumber);
     put(l.ownNumbers);
+    put(l.aliasNumbers);
     put(l.alias);
     put(l.flags);
     put(l.pad0);
-    put(l.pad1);
-    put(l.pad2);
 }
 
 void putCamera() {
@@ -154,8 +154,6 @@ void putParameters() {
     put(p.cropOrigin);
     put(p.cropSize);
     put(p.firstTile);
-    put(p.tileCount);
-    put(p.tileStride);
     put(p.firstSample);
     put(p.sampleEnd);
     put(p.seed);
