@@ -1,9 +1,10 @@
-"""Writes the image seeds below corpus/: tiny files of every kind that the readers know.
+"""Writes the image and film seeds below corpus/: tiny files of every kind that the readers know.
 
 All is made from the formats' specifications with the standard library, so that each file holds
 what its name says and nothing else.
 """
 
+import json
 import pathlib
 import struct
 import zlib
@@ -206,9 +207,37 @@ def write_pictures():
     write("picture", "big.pfm", b"PF\n2 1\n1.0\n" + struct.pack(">6f", *range(6)))
 
 
+# --- Films, without their checksums ---------------------------------------------------------------
+
+
+def film(width, height, blocks):
+    pixels = width * height
+
+    def chunk(numbers):
+        data = b"".join(n.to_bytes(16, "little", signed=True) for n in numbers)
+        return zlib.compress(b"".join(data[byte::16] for byte in range(16)), 1)
+
+    chunks = [chunk([(i + 1) << 70 for i in range(3 * pixels)]),
+              chunk([(i % 5 + 1) << 70 for i in range(8 * pixels)])]
+    description = json.dumps({
+        "scene_hash": "0123456789abcdef", "settings": {"seed": "0", "size": f"{width}x{height}"},
+        "devices": ["a device"], "width": width, "height": height, "unit_exponent": 3,
+        "blocks": blocks, "non_finite_samples": 0, "cut_paths": 1, "non_finite_pixels": 0,
+        "overflowed_pixels": 0, "chunk_bytes": [len(c) for c in chunks]}).encode()
+    return (b"CALOFILM" + struct.pack("<IIQ", 1, len(description), 0) + description
+            + b"".join(chunks))
+
+
+def write_films():
+    write("film", "one.film", film(1, 1, [[0, 8]]))
+    write("film", "parts.film", film(2, 3, [[0, 2], [5, 9], [1000, 1001]]))
+    write("film", "empty.film", film(3, 1, []))
+
+
 write_pngs()
 write_jpegs()
 write_tgas()
 write_bmps()
 write_hdrs()
 write_pictures()
+write_films()

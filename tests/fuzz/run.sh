@@ -13,7 +13,7 @@ usage: tests/fuzz/run.sh build | short NAME | long NAME [SECONDS]
   build   build the fuzzers into build-fuzz/
   short   a repeatable run from the seeds alone, of some seconds
   long    a run of SECONDS (default: 3600) that keeps what it learns in build-fuzz/found/NAME/
-NAME is scene, model, texture or picture. An input that fails is kept as build-fuzz/NAME-*.
+NAME is scene, model, texture, picture or film. An input that fails is kept as build-fuzz/NAME-*.
 TEXT
 }
 

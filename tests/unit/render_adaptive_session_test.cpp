@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iostream>
 #include <numeric>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "film/error_estimate.h"
 #include "math/luminance.h"
 
 namespace calotype::test {
@@ -134,6 +136,37 @@ TEST(AdaptiveSession, HasNoBias) {
     const double truth = 0.5 + RareTracer::kBright / RareTracer::kOdds;
     EXPECT_LT(std::sqrt(variance), 0.02 * truth);
     EXPECT_NEAR(mean, truth, 3.3 * std::sqrt(variance)); // 1 in 1000
+}
+
+// Where light is rare, what one half finds gives the other more samples there, so that both find
+// less alike: the spread within the halves does not show that. It is some tenth of the error.
+TEST(AdaptiveSession, StatesItsErrorAlmostWholeWhereLightIsRare) {
+    for (const uint32_t samples : {256u, 1024u}) {
+        constexpr uint32_t kPictures = 150;
+        double stated = 0.0;
+        double found = 0.0;
+        for (uint32_t seed = 0; seed < kPictures; ++seed) {
+            RareTracer tracer({2 * seed + 1000, 2 * seed + 1001});
+            AdaptiveSession session(tracer, settingsOf(samples), 64.0);
+            session.run({});
+            stated += std::pow(session.error()->relative, 2.0) / kPictures;
+            const Image picture = session.picture();
+            double mean = 0.0;
+            for (const glm::vec3& pixel : picture.pixels)
+                mean += pixel.g / (kWidth * kHeight);
+            double sum = 0.0;
+            for (uint32_t i = 0; i < kWidth * kHeight; ++i) {
+                const double truth =
+                    isNoisy(i) ? 0.5 + RareTracer::kBright / RareTracer::kOdds : 0.5;
+                sum += relativeShare(std::pow(picture.pixels[i].g - truth, 2.0), truth, mean);
+            }
+            found += std::pow(relativeError(sum / (kWidth * kHeight)), 2.0) / kPictures;
+        }
+        const double ratio = std::sqrt(found / stated);
+        std::cout << samples << " samples: " << ratio << " of the stated error\n";
+        EXPECT_GT(ratio, 0.95);
+        EXPECT_LT(ratio, 1.15);
+    }
 }
 
 TEST(AdaptiveSession, DoesNotDependOnHowTheWorkIsCutUp) {
