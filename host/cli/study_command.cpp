@@ -70,20 +70,20 @@ std::string renderCommandOf(const StudyOptions& options) {
 
 void printChoices(const Study& study) {
     for (const Choice& choice : choicesOf(study)) {
-        if (!choice.measurement) {
-            std::printf("%s error: not known, the budget was too short\n",
-                        targetText(choice.target).c_str());
-            continue;
+        std::string text = targetText(choice.target) + " error: ";
+        if (choice.measurement) {
+            const std::string& options = choice.measurement->variant.options;
+            text += (options.empty() ? "the default" : options) + ", " +
+                    durationText(choice.seconds) + " here";
+            if (study.scale > 1.0)
+                text += ", about " + durationText(choice.seconds * study.scale) +
+                        " in the scene's size";
+            if (!options.empty() && choice.usual)
+                text += " (by default " + durationText(*choice.usual) + " here)";
+        } else {
+            text += "not known, the budget was too short";
         }
-        const std::string& options = choice.measurement->variant.options;
-        std::printf("%s error: %s, %s here, about %s in the scene's size%s\n",
-                    targetText(choice.target).c_str(),
-                    options.empty() ? "the default" : options.c_str(),
-                    durationText(choice.seconds).c_str(),
-                    durationText(choice.seconds * study.scale).c_str(),
-                    !options.empty() && choice.usual
-                        ? (" (by default " + durationText(*choice.usual) + " here)").c_str()
-                        : "");
+        std::printf("%s\n", text.c_str());
     }
 }
 

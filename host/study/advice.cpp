@@ -38,6 +38,9 @@ std::optional<double> errorRatio(const Measurement& variant, const Measurement& 
 
 /// What of the light a variant loses that is made to.
 std::string lossOf(const Measurement& variant) {
+    if (!variant.isTrusted)
+        return "It may lose light; how much, so few samples, or such rare bright ones, do not "
+               "tell.";
     if (std::abs(variant.brighter) <= 3.0 * variant.brighterError)
         return "It may lose light; here none was seen to be missing.";
     const std::string seen = "It loses light: the picture is " +

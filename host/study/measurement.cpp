@@ -18,7 +18,7 @@ double secondsBetween(const CurvePoint& a, const CurvePoint& b, double target) {
 std::optional<double> Measurement::floor() const {
     if (!variant.losesLight)
         return 0.0;
-    if (curve.empty() || !last().error || !last().stated)
+    if (curve.empty() || !isTrusted || !last().error || !last().stated)
         return std::nullopt;
     const double noise = *last().stated;
     return std::sqrt(std::max(0.0, *last().error * *last().error - noise * noise));

@@ -35,7 +35,7 @@ struct Measurement {
     const CurvePoint& last() const { return curve.back(); }
 
     /// The error that stays however long it runs: 0 unless it loses light by design; none where it
-    /// does, and too little is known to tell how much.
+    /// does, and how much is not known: of too few samples, or ones that are not to be trusted.
     std::optional<double> floor() const;
 
     /// Sampling until the error is `target`: between the points of the curve, and beyond them as

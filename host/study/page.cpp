@@ -157,16 +157,19 @@ private:
     }
 
     std::string choices() const {
+        const bool isSmaller = study_.scale > 1.0;
         std::string rows = "<tr><th>error</th><th>settings</th><th>time here</th>"
-                           "<th>by default</th><th>in the scene's size</th></tr>\n";
+                           "<th>by default</th>";
+        rows += isSmaller ? "<th>in the scene's size</th></tr>\n" : "</tr>\n";
         for (const Choice& choice : choicesOf(study_)) {
             std::string row = tag("td", targetText(choice.target));
             if (choice.measurement) {
                 const std::string& options = choice.measurement->variant.options;
                 row += tag("td", options.empty() ? "the default" : optionCode(options)) +
                        tag("td", durationText(choice.seconds)) +
-                       tag("td", choice.usual ? durationText(*choice.usual) : "never") +
-                       tag("td", durationText(choice.seconds * study_.scale));
+                       tag("td", choice.usual ? durationText(*choice.usual) : "never");
+                if (isSmaller)
+                    row += tag("td", durationText(choice.seconds * study_.scale));
             } else {
                 row += "<td colspan=\"4\">not known: the time was too short</td>";
             }

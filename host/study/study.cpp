@@ -58,6 +58,10 @@ public:
                 sweep();
         } catch (const StudyStopped&) {
             isStopped_ = true;
+        } catch (const Error& error) { // between variants
+            if (study_.measurements.empty())
+                throw;
+            study_.failures.push_back({"what was to follow", error.what()});
         }
         study_.ending = isStopped_     ? StudyEnding::Stopped
                         : isOutOfTime_ ? StudyEnding::OutOfTime

@@ -38,8 +38,11 @@ uvec4 pcg4d(uvec4 v) {
     return v;
 }
 
+/// Uniform numbers are multiples of 1 over this, 2^24.
+const float kUnitSteps = 16777216.0;
+
 /// The upper 24 bits, times 2^-24: uniform in [0, 1 - 2^-24], every value exact.
-vec4 unitFloats(uvec4 bits) { return vec4(bits >> 8u) * (1.0 / 16777216.0); }
+vec4 unitFloats(uvec4 bits) { return vec4(bits >> 8u) * (1.0 / kUnitSteps); }
 
 /// Four independent numbers in [0, 1).
 vec4 uniformRandom(SampleId id, uint dimension) {

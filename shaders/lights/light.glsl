@@ -3,6 +3,7 @@
 #define CALOTYPE_LIGHTS_LIGHT_GLSL
 
 #include "core/constants.glsl"
+#include "core/random.glsl"
 #include "lights/background.glsl"
 #include "lights/quadric_light.glsl"
 #include "lights/sphere_light.glsl"
@@ -21,7 +22,7 @@ struct LightChoice {
 /// choose the same, with u.y for the way to the next, is again uniform, and spread over the light
 /// as evenly as u.x is over them all.
 LightChoice chooseLight(uint lightCount, vec2 u) {
-    uint number = uint(u.x * 16777216.0);
+    uint number = uint(u.x * kUnitSteps);
     uint column, ignored;
     umulExtended(number << 8u, lightCount, column, ignored);
     Light light = loadLight(column);

@@ -27,6 +27,7 @@ namespace {
 Measurement madeUp(const std::string& name, double factor, double rate, double floor = 0.0) {
     Measurement measurement;
     measurement.variant = {name, name == "usual" ? "" : "--" + name, floor > 0.0, {}};
+    measurement.isTrusted = true;
     for (uint64_t samples = 1; samples <= 1024; samples *= 2) {
         const auto count = static_cast<double>(samples);
         const double noise = factor / std::sqrt(count);
@@ -52,6 +53,10 @@ TEST(StudyMeasurement, ReadsTimesOffItsCurve) {
     unknown.curve.back().stated.reset();
     EXPECT_FALSE(unknown.floor());
     EXPECT_FALSE(unknown.secondsTo(0.2008));
+    // Rare bright samples make an error look like one that stays.
+    Measurement rare = madeUp("dark", 1.0, 10.0, 0.2);
+    rare.isTrusted = false;
+    EXPECT_FALSE(rare.floor());
 }
 
 TEST(StudyMeasurement, NothingIsKnownWithoutErrors) {
@@ -102,6 +107,9 @@ TEST(StudyAdvice, ComparesWithTheUsual) {
     dim.brighterError = 0.001;
     EXPECT_NE(sentenceOf(dim, usual, 0.1).find("1.00 % darker, which the error does not show yet"),
               std::string::npos);
+    dim.isTrusted = false;
+    dim.brighter = 0.3;
+    EXPECT_NE(sentenceOf(dim, usual, 0.1).find("do not tell"), std::string::npos);
     dark.brighterError = 0.05;
     EXPECT_NE(sentenceOf(dark, usual, 0.1).find("none was seen"), std::string::npos);
 }
