@@ -73,6 +73,14 @@ public:
 private:
     double secondsLeft() const { return plan_.seconds - secondsSince(start_); }
 
+    /// Learns how long that may take: the kernels of some settings may not be in the cache.
+    PreparedTracer prepare(const StudySettings& settings) {
+        const Clock::time_point before = Clock::now();
+        PreparedTracer prepared = prepare_(settings);
+        prepareSeconds_ = std::max(prepareSeconds_, secondsSince(before));
+        return prepared;
+    }
+
     /// Samples for so long. False where the user stopped it.
     bool sample(Session& session, double seconds, const std::string& what,
                 const std::function<void()>& onPass) {
@@ -118,9 +126,7 @@ private:
     void renderReference() {
         StudySettings settings = study_.usual;
         settings.render.seed += 1; // so that it shares nothing with what it judges
-        const Clock::time_point before = Clock::now();
-        const PreparedTracer prepared = prepare_(settings);
-        prepareSeconds_ = secondsSince(before);
+        const PreparedTracer prepared = prepare(settings);
         const auto session = makeSession(prepared, settings);
         const double seconds = kReferenceShare * secondsLeft();
         if (sample(*session, seconds, "rendering the reference", [] {}))
@@ -254,7 +260,7 @@ private:
     /// False where the user stopped it: what is not whole does not count.
     bool measure(const Variant& variant, double seconds) {
         const StudySettings settings = variant.settings(study_.usual);
-        const PreparedTracer prepared = prepare_(settings);
+        const PreparedTracer prepared = prepare(settings);
         const auto session = makeSession(prepared, settings);
         Measurement measurement;
         measurement.variant = variant;
@@ -296,8 +302,8 @@ private:
     const Clock::time_point start_ = Clock::now();
     bool isStopped_ = false;
     bool isOutOfTime_ = false;
-    double prepareSeconds_ = 0.0;
-    double share_ = 0.0; ///< of the time, for each variant
+    double prepareSeconds_ = 0.0; ///< the longest so far
+    double share_ = 0.0;          ///< of the time, for each variant
     Study study_;
     std::optional<Yardstick> yardstick_;
 };
