@@ -116,9 +116,8 @@ CLI::App& addStudyCommand(CLI::App& app, StudyOptions& options) {
                      "; \"reference\": the reference tracer, in double precision on the CPU");
     command.footer(
         "Two fifths of the time go to a reference, the rest in equal parts to the default settings "
-        "and to\none change of them at a time, to the report's settings, and last to the changes "
-        "that "
-        "were for the\nbetter together. Ctrl-C keeps what was measured so far.");
+        "and to\none change of them at a time, to the report's settings, and last to all that was "
+        "for the better,\ntogether. Ctrl-C keeps what was measured so far.");
     return command;
 }
 

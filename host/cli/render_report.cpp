@@ -43,13 +43,16 @@ void reportInterrupt(const RenderReport& report, const std::string& samples) {
                  samples.c_str(), what, placeOf(report).c_str());
 }
 
-/// The estimate, and the bound by which a goal is judged.
-std::string judgedText(const ErrorEstimate& error) {
-    const bool tellsMore = error.isTrusted() && std::isfinite(error.upperBound());
-    return ": it is" + estimateText(error) +
-           (tellsMore
-                ? ", or up to " + percentText(error.upperBound()) + " for all that the samples tell"
-                : "");
+/// The estimate, and how a goal is judged by it.
+std::string judgedText(const ErrorEstimate& error, double target) {
+    std::string text = ": it is" + estimateText(error);
+    if (error.isTrusted() && std::isfinite(error.upperBound()))
+        text += ", or up to " + percentText(error.upperBound()) + " for all that the samples tell";
+    if (error.relative <= target)
+        text +=
+            "; it is judged after 128, 256, 512, ... samples per pixel alone, by what it may be "
+            "at most";
+    return text;
 }
 
 /// A goal that was missed.
@@ -60,7 +63,7 @@ void warnOfGoal(const RenderReport& report) {
                      "calotype: warning: the error of %s that --target-error asks for was not "
                      "reached%s\n",
                      percentText(*options.targetError).c_str(),
-                     totals.error ? judgedText(*totals.error).c_str() : "");
+                     totals.error ? judgedText(*totals.error, *options.targetError).c_str() : "");
 }
 
 } // namespace

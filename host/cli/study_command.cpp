@@ -4,6 +4,7 @@
 #include <cstring>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <system_error>
 
@@ -63,8 +64,13 @@ std::string renderCommandOf(const StudyOptions& options) {
         command += " --set " + shellWord(override.pointer + "=" + override.value);
     if (options.scene.missingTextures == MissingTextures::Warn)
         command += " --missing-textures warn";
+    if (options.size)
+        command += " --size " + std::to_string(options.size->width) + "x" +
+                   std::to_string(options.size->height);
     if (!options.device.device.empty())
         command += " --device " + shellWord(options.device.device);
+    if (options.device.threads > 0)
+        command += " --threads " + std::to_string(options.device.threads);
     return command + " -o picture.exr";
 }
 
@@ -84,6 +90,21 @@ void printChoices(const Study& study) {
             text += "not known, the budget was too short";
         }
         std::printf("%s\n", text.c_str());
+    }
+}
+
+/// Leaves no empty folder where the study comes to nothing.
+Study runOrClean(const std::filesystem::path& folder, const std::function<Study()>& run) {
+    try {
+        Study study = run();
+        if (study.measurements.empty())
+            throw Error(
+                "interrupted before the default settings were measured; nothing was written");
+        return study;
+    } catch (...) {
+        std::error_code ignored; // such as that it is not empty
+        std::filesystem::remove(folder, ignored);
+        throw;
     }
 }
 
@@ -107,7 +128,7 @@ void writeAll(const Study& study, const StudyOrigin& origin, const std::filesyst
 /// What is missing from the study. Returns the exit code.
 int reportGaps(const Study& study, const std::filesystem::path& folder) {
     for (const FailedVariant& failure : study.failures)
-        std::fprintf(stderr, "calotype: warning: not measured: %s. %s\n", failure.name.c_str(),
+        std::fprintf(stderr, "calotype: warning: not measured: %s: %s\n", failure.name.c_str(),
                      failure.reason.c_str());
     if (study.ending == StudyEnding::OutOfTime)
         std::fprintf(stderr, "calotype: warning: --budget was too short for all settings\n");
@@ -165,10 +186,8 @@ int studyCommand(const StudyOptions& options) {
     const double left = std::max(0.0, options.budget - secondsSince(start));
     const StudyPlan plan{
         {settingsOf(scene)}, left, options.size.has_value(), isReference(options.device)};
-    const Study study = runStudy(plan, prepare, observer);
+    const Study study = runOrClean(folder, [&] { return runStudy(plan, prepare, observer); });
     progress.clear();
-    if (study.measurements.empty())
-        throw Error("interrupted before the default settings were measured; nothing was written");
     writeAll(study, origin, folder);
     printChoices(study);
     std::printf("%s\n", (folder / "study.html").string().c_str());

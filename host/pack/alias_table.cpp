@@ -1,6 +1,7 @@
 #include "pack/alias_table.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "base/check.h"
@@ -18,16 +19,19 @@ uint32_t numbersBefore(uint64_t column, uint64_t count) {
 /// All random numbers, dealt out by weight: one each to all that weigh something, of the others
 /// each one's share, rounded down, and what is left goes round in order.
 std::vector<uint32_t> dealNumbers(std::span<const double> weights) {
-    const auto weighsSomething = [](double weight) { return weight > 0.0; };
+    const auto weighsSomething = [](double weight) {
+        CALOTYPE_CHECK_LE(0.0, weight);
+        return weight > 0.0;
+    };
     const auto count = static_cast<uint64_t>(std::ranges::count_if(weights, weighsSomething));
     std::vector<uint32_t> dealt(weights.size());
     if (count == 0)
         return dealt;
     const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+    CALOTYPE_CHECK_EQ(std::isfinite(sum), true);
     const auto shared = static_cast<double>(kNumbers - std::min(count, kNumbers));
     uint64_t left = kNumbers;
     for (size_t i = 0; i < weights.size(); ++i) {
-        CALOTYPE_CHECK_LE(0.0, weights[i]);
         dealt[i] = static_cast<uint32_t>(weights[i] / sum * shared);
         left -= dealt[i];
     }

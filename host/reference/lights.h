@@ -64,10 +64,11 @@ public:
                const glm::dvec3& normal) const;
 
 private:
-    /// Random numbers are counted in units of 2^-24.
+    /// Of the alias table: random numbers, in units of 2^-24, from `first` up to but not including
+    /// `end`. Those from `aliasFrom` on choose the alias.
     struct Column {
-        uint64_t first = 0; ///< number that falls into the column
-        uint64_t aliasFrom = 0; ///< from here on they choose the alias
+        uint64_t first = 0;
+        uint64_t aliasFrom = 0;
         uint64_t end = 0;
         size_t alias = 0;
     };

@@ -110,7 +110,7 @@ std::optional<RenderEnding> AdaptiveSession::renderBlock(uint32_t block,
                                                          const RenderGoal& goal) {
     tracer_.beginBlock(kSamplesPerBlock * block, isLeftOut_);
     passes_.beginBlock(static_cast<double>(std::ranges::count(isLeftOut_, 0)) /
-                       static_cast<double>(film_.pixelCount()));
+                       tracer_.tileCount());
     blockIsInFilm_ = false;
     const bool isFirst = film_.samples() == 0;
     for (uint32_t end = isFirst ? 1 : kSamplesPerBlock; end <= kSamplesPerBlock; end *= 2) {

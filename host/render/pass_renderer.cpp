@@ -9,14 +9,13 @@
 namespace calotype {
 
 PassRenderer::PassRenderer(BlockTracer& tracer, RenderTotals& totals)
-    : tracer_(tracer), totals_(totals),
-      sizer_(std::min(tracer.tileCount(), gpu::kMostTilesPerDispatch)) {}
+    : tracer_(tracer), totals_(totals), sizer_(gpu::kMostTilesPerDispatch) {}
 
-void PassRenderer::beginBlock(double share) {
+void PassRenderer::beginBlock(double pixelsPerTile) {
     losses_ = {};
-    if (share > 1.5 * share_)
-        sizer_ = DispatchSizer(std::min(tracer_.tileCount(), gpu::kMostTilesPerDispatch));
-    share_ = share;
+    if (pixelsPerTile > 1.5 * pixelsPerTile_)
+        sizer_ = DispatchSizer(gpu::kMostTilesPerDispatch);
+    pixelsPerTile_ = pixelsPerTile;
 }
 
 std::optional<RenderEnding> PassRenderer::run(uint32_t sampleEnd, const RenderObserver& observer,

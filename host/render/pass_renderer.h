@@ -14,9 +14,9 @@ public:
     /// Counts into `totals`. Both must outlive this.
     PassRenderer(BlockTracer& tracer, RenderTotals& totals);
 
-    /// Forgets the losses of the block before. Of its pixels a `share` gets samples: where that is
-    /// much more than before, what was learnt of the time of dispatches does not hold.
-    void beginBlock(double share = 1.0);
+    /// Forgets the losses of the block before. Where its tiles have many more pixels that get
+    /// samples than those before, what was learnt of the time of dispatches does not hold.
+    void beginBlock(double pixelsPerTile = 0.0);
 
     /// Brings every pixel to `sampleEnd` samples of the block. How it ended, if early; a deadline
     /// counts once `totals` knows of a sample in every pixel.
@@ -31,7 +31,7 @@ private:
     RenderTotals& totals_;
     DispatchSizer sizer_;
     FilmLosses losses_;
-    double share_ = 1.0;
+    double pixelsPerTile_ = 0.0;
 };
 
 } // namespace calotype

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "base/number_text.h"
 #include "film/display_transform.h"
@@ -152,7 +153,7 @@ private:
                              " from one moment to the next. A longer budget helps.");
         for (const FailedVariant& failure : study_.failures)
             html +=
-                tag("p", "Not measured: " + escaped(failure.name) + ". " + escaped(failure.reason));
+                tag("p", "Not measured: " + escaped(failure.name) + ": " + escaped(failure.reason));
         return html;
     }
 
@@ -171,7 +172,8 @@ private:
                 if (isSmaller)
                     row += tag("td", durationText(choice.seconds * study_.scale));
             } else {
-                row += "<td colspan=\"4\">not known: the time was too short</td>";
+                row += std::string("<td colspan=\"") + (isSmaller ? "4" : "3") +
+                       "\">not known: the time was too short</td>";
             }
             rows += tag("tr", row);
         }
@@ -241,13 +243,27 @@ private:
             figure(image(display(referencePart_), "the reference"),
                    "<strong>the reference</strong><br>" + durationText(study_.reference->seconds) +
                        ", error " + percentText(study_.reference->error));
+        double shortest = usual().last().seconds;
         for (const Measurement& measurement : study_.measurements)
-            figures += figure(picturesOf(measurement.last(), measurement.variant.name),
-                              caption(measurement, measurement.last()));
+            shortest = std::min(shortest, measurement.last().seconds);
+        for (const Measurement& measurement : study_.measurements) {
+            const CurvePoint& point = *nearest(measurement.curve, [&](const CurvePoint& one) {
+                return std::abs(std::log(one.seconds / shortest));
+            });
+            figures +=
+                figure(picturesOf(point, measurement.variant.name), caption(measurement, point));
+        }
         return tag("h2", "Pictures at equal time") +
-               tag("p", "Each after " + durationText(usual().last().seconds) +
+               tag("p", "Each after about " + durationText(shortest) +
                             " of sampling; below it, how far each pixel is from the reference:") +
                scale() + "<div class=\"pictures\">" + figures + "</div>\n";
+    }
+
+    /// Of a curve, the point of the least distance.
+    template <typename Distance>
+    static const CurvePoint* nearest(const std::vector<CurvePoint>& curve,
+                                     const Distance& distance) {
+        return &*std::ranges::min_element(curve, {}, distance);
     }
 
     /// An error that every variant without a floor came below.
@@ -265,16 +281,13 @@ private:
             return "";
         std::string figures;
         for (const Measurement& measurement : study_.measurements) {
-            const CurvePoint* nearest = nullptr;
-            const auto distance = [&](const CurvePoint& point) {
-                return std::abs(std::log(*point.error / *wanted));
-            };
-            for (const CurvePoint& point : measurement.curve)
-                if (point.error && (!nearest || distance(point) < distance(*nearest)))
-                    nearest = &point;
-            if (nearest)
-                figures += figure(picturesOf(*nearest, measurement.variant.name),
-                                  caption(measurement, *nearest));
+            const CurvePoint* point = nearest(measurement.curve, [&](const CurvePoint& one) {
+                return one.error ? std::abs(std::log(*one.error / *wanted))
+                                 : std::numeric_limits<double>::infinity();
+            });
+            if (point->error)
+                figures += figure(picturesOf(*point, measurement.variant.name),
+                                  caption(measurement, *point));
         }
         return tag("h2", "Pictures at equal error") +
                tag("p", "Of each curve the point nearest to an error of " + percentText(*wanted) +

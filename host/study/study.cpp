@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "base/error.h"
-#include "base/number_text.h"
 #include "base/stopwatch.h"
 #include "render/adaptive_session.h"
 #include "render/render_session.h"
@@ -58,10 +57,6 @@ public:
                 sweep();
         } catch (const StudyStopped&) {
             isStopped_ = true;
-        } catch (const Error& error) { // between variants
-            if (study_.measurements.empty())
-                throw;
-            study_.failures.push_back({"what was to follow", error.what()});
         }
         study_.ending = isStopped_     ? StudyEnding::Stopped
                         : isOutOfTime_ ? StudyEnding::OutOfTime
@@ -72,14 +67,6 @@ public:
 
 private:
     double secondsLeft() const { return plan_.seconds - secondsSince(start_); }
-
-    /// Learns how long that may take: the kernels of some settings may not be in the cache.
-    PreparedTracer prepare(const StudySettings& settings) {
-        const Clock::time_point before = Clock::now();
-        PreparedTracer prepared = prepare_(settings);
-        prepareSeconds_ = std::max(prepareSeconds_, secondsSince(before));
-        return prepared;
-    }
 
     /// Samples for so long. False where the user stopped it.
     bool sample(Session& session, double seconds, const std::string& what,
@@ -126,7 +113,9 @@ private:
     void renderReference() {
         StudySettings settings = study_.usual;
         settings.render.seed += 1; // so that it shares nothing with what it judges
-        const PreparedTracer prepared = prepare(settings);
+        const Clock::time_point before = Clock::now();
+        const PreparedTracer prepared = prepare_(settings);
+        prepareSeconds_ = secondsSince(before);
         const auto session = makeSession(prepared, settings);
         const double seconds = kReferenceShare * secondsLeft();
         if (sample(*session, seconds, "rendering the reference", [] {}))
@@ -135,26 +124,24 @@ private:
 
     void sweep() {
         const Reference& reference = *study_.reference;
+        constexpr uint64_t kLeastSamples = 32; // of two replicas
+        if (reference.mean <= 0.0 && reference.samples >= kLeastSamples)
+            throw Error("the picture is black, so there is no error to study");
         if (!std::isfinite(reference.error))
             throw Error("the budget is too short: the reference has " +
-                        std::to_string(reference.samples) +
-                        " samples per pixel, and needs 32; give it more, or a smaller --size");
-        if (reference.mean <= 0.0)
-            throw Error("the picture is black, so there is no error to study");
+                        std::to_string(reference.samples) + " samples per pixel, and needs " +
+                        std::to_string(kLeastSamples) + "; give it more, or a smaller --size");
         const std::vector<Variant> variants =
             variantsOf(study_.usual, reference.mean, plan_.isReference);
         size_t left = variants.size() + 1; // and some together
         share_ = secondsLeft() / static_cast<double>(left);
-        if (share_ <= 0.0)
-            throw Error("the budget is too short: getting ready alone took " +
-                        durationText(prepareSeconds_));
         yardstick_.emplace(*this);
         yardstick_->measure();
         for (const Variant& variant : variants)
             take(variant, left--);
         std::vector<Variant> better;
         for (const Measurement& measurement : study_.measurements)
-            if (isForTheBetter(measurement))
+            if (measurement.variant.isOneChange && isForTheBetter(measurement))
                 better.push_back(measurement.variant);
         if (better.size() > 1)
             take(together(better), left);
@@ -164,25 +151,27 @@ private:
     void take(const Variant& variant, size_t left) {
         const double share = std::min(share_, secondsLeft() / static_cast<double>(left));
         isOutOfTime_ = isOutOfTime_ || share <= 0.0;
+        if (isOutOfTime_ && study_.measurements.empty())
+            throw Error("the budget is too short: nothing is left of it for the default settings");
         if (isStopped_ || isOutOfTime_)
             return;
         const double seconds =
             std::max(kLeastShare * share_, (1.0 - kYardstickShare) * share - prepareSeconds_);
         try {
-            if (!measure(variant, seconds))
+            std::optional<Measurement> measurement = measure(variant, seconds);
+            if (!measurement)
                 return;
-        } catch (const Error& error) {
+            yardstick_->measure();
+            study_.paceSpread = yardstick_->spread();
+            // The usual settings are a yardstick themselves.
+            measurement->pace =
+                study_.measurements.empty() ? paceOf(measurement->last()) : yardstick_->lastPace();
+            study_.measurements.push_back(std::move(*measurement));
+        } catch (const std::exception& error) {
             if (study_.measurements.empty())
                 throw;
             study_.failures.push_back({variant.name, error.what()});
-            return;
         }
-        yardstick_->measure();
-        study_.paceSpread = yardstick_->spread();
-        // The usual settings are a yardstick themselves.
-        Measurement& measurement = study_.measurements.back();
-        measurement.pace =
-            study_.measurements.size() == 1 ? paceOf(measurement.last()) : yardstick_->lastPace();
     }
 
     void correctForPace() {
@@ -257,10 +246,10 @@ private:
         return cost(measurement) < (1.0 - std::max(kBetter, study_.timingNoise())) * cost(usual);
     }
 
-    /// False where the user stopped it: what is not whole does not count.
-    bool measure(const Variant& variant, double seconds) {
+    /// None where the user stopped it: what is not whole does not count.
+    std::optional<Measurement> measure(const Variant& variant, double seconds) {
         const StudySettings settings = variant.settings(study_.usual);
-        const PreparedTracer prepared = prepare(settings);
+        const PreparedTracer prepared = prepare_(settings);
         const auto session = makeSession(prepared, settings);
         Measurement measurement;
         measurement.variant = variant;
@@ -283,7 +272,7 @@ private:
             next = std::bit_ceil(samples + 1);
         });
         if (!isWhole)
-            return false;
+            return std::nullopt;
         record();
         const MeanLuminance mean = meanLuminance(session->picture(), session->pixelErrors());
         measurement.brighter = mean.mean / study_.reference->mean - 1.0;
@@ -292,8 +281,7 @@ private:
         if (prepared.finish)
             prepared.finish();
         measurement.isTrusted = session->error() && session->error()->isTrusted();
-        study_.measurements.push_back(std::move(measurement));
-        return true;
+        return measurement;
     }
 
     const StudyPlan& plan_;
@@ -302,8 +290,8 @@ private:
     const Clock::time_point start_ = Clock::now();
     bool isStopped_ = false;
     bool isOutOfTime_ = false;
-    double prepareSeconds_ = 0.0; ///< the longest so far
-    double share_ = 0.0;          ///< of the time, for each variant
+    double prepareSeconds_ = 0.0;
+    double share_ = 0.0; ///< of the time, for each variant
     Study study_;
     std::optional<Yardstick> yardstick_;
 };

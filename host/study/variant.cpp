@@ -1,5 +1,7 @@
 #include "study/variant.h"
 
+#include <cstdlib>
+
 #include "base/number_text.h"
 
 namespace calotype {
@@ -16,10 +18,9 @@ Variant fewerBounces(uint32_t bounces) {
 /// At a radiance of two digits, so that users can type it.
 Variant clampAt(double radiance) {
     const std::string text = shortNumber(radiance, 2);
+    const float typed = std::strtof(text.c_str(), nullptr);
     return {"indirect light clamped at " + text, "--clamp-indirect " + text, true,
-            [text](StudySettings& settings) {
-                settings.render.transport.indirectClamp = std::stof(text);
-            }};
+            [typed](StudySettings& settings) { settings.render.transport.indirectClamp = typed; }};
 }
 
 } // namespace
@@ -55,13 +56,15 @@ std::vector<Variant> variantsOf(const StudySettings& usual, double mean, bool is
     variants.push_back({"the report's settings",
                         "--sampler independent --roulette off --mis off --max-bounces " +
                             std::to_string(std::min(bounces, kBouncesOfTheReport)),
-                        bounces > kBouncesOfTheReport, [](StudySettings& settings) {
+                        bounces > kBouncesOfTheReport,
+                        [](StudySettings& settings) {
                             RenderSettings& render = settings.render;
                             render.sampler = Sampler::Independent;
                             render.transport.usesRoulette = false;
                             render.transport.usesMis = false;
                             render.maxBounces = std::min(render.maxBounces, kBouncesOfTheReport);
-                        }});
+                        },
+                        false});
     return variants;
 }
 

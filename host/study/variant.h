@@ -25,6 +25,7 @@ struct Variant {
     std::string options;     ///< of the command line; empty where it has none
     bool losesLight = false; ///< by design: its picture tends to another one
     std::function<void(StudySettings&)> change;
+    bool isOneChange = true; ///< else it is not tried together with others
 
     StudySettings settings(StudySettings usual) const {
         if (change)

@@ -133,7 +133,7 @@ TEST_F(RenderTest, OnATerminalThereIsABar) {
         runProgram({"render", scene_, "-o", folder_ / "a.png", "--spp", "2048"}, options);
     EXPECT_EQ(result.exitCode, 0);
     EXPECT_NE(result.errors.find("\r\033[K["), std::string::npos) << result.errors;
-    for (const char* word : {"/2048 spp", "samples/s", "rays/s", "elapsed", "left"})
+    for (const char* word : {"/2048 spp", "error ", "samples/s", "rays/s", "elapsed", "left"})
         EXPECT_NE(result.errors.find(word), std::string::npos) << word;
 }
 

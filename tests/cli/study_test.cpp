@@ -53,20 +53,44 @@ TEST_F(StudyTest, TimedRunWritesTableAndPlotAndPage) {
     EXPECT_NEAR(std::stod(last[5]) / std::stod(last[6]), 1.0, 0.15) << last[5] << " " << last[6];
 }
 
-TEST_F(StudyTest, InterruptedKeepsWhatItHas) {
+TEST_F(StudyTest, TimedRunInterruptedKeepsWhatItHas) {
     ProgramOptions options;
     bool isSent = false;
     options.whileRunning = [&](int pid, double age) {
         if (!isSent && age > 12.0) // of 16 s the reference takes 6, and each variant 0.7
             isSent = kill(pid, SIGINT) == 0;
     };
-    const ProgramResult result = study({"--budget", "16s"}, options);
+    const ProgramResult result =
+        study({"--budget", "16s", "--set", "/camera/position=[0, 1, 3.2]"}, options);
     EXPECT_EQ(result.exitCode, 1);
     EXPECT_LT(result.seconds, 15.0);
     EXPECT_NE(result.errors.find("what was measured so far is in"), std::string::npos)
         << result.errors;
-    EXPECT_NE(readOutput("study.html").find("stopped before its end"), std::string::npos);
+    const std::string page = readOutput("study.html");
+    EXPECT_NE(page.find("stopped before its end"), std::string::npos);
+    EXPECT_NE(page.find("--set '/camera/position=[0, 1, 3.2]' -o"), std::string::npos)
+        << "as a shell takes it";
     EXPECT_NE(readOutput("study.csv").find("the default"), std::string::npos);
+}
+
+TEST_F(StudyTest, AnOutputThatFailsLosesNoOther) {
+    ProgramOptions options;
+    const std::filesystem::path inTheWay = folder_.path() / "out" / "study.svg";
+    options.whileRunning = [&](int, double age) {
+        if (age > 1.0)
+            std::filesystem::create_directories(inTheWay);
+    };
+    const ProgramResult result = study({"--budget", "5s", "--size", "16x16"}, options);
+    EXPECT_EQ(result.exitCode, 1);
+    EXPECT_NE(result.errors.find("study.svg"), std::string::npos) << result.errors;
+    EXPECT_NE(readOutput("study.html").find("the default"), std::string::npos);
+    EXPECT_NE(readOutput("study.csv").find("the default"), std::string::npos);
+}
+
+TEST_F(StudyTest, SaysThatItsBudgetIsTooShort) {
+    const ProgramResult result = study({"--budget", "1s", "--size", "16x16"});
+    EXPECT_NE(result.errors.find("too short"), std::string::npos) << result.errors;
+    EXPECT_EQ(result.exitCode == 0, std::filesystem::exists(folder_.path() / "out"));
 }
 
 TEST_F(StudyTest, MistakesAreNamed) {

@@ -278,7 +278,7 @@ TEST(StudyReference, TakesOffItsOwnError) {
 const StudyObserver kPatient{[] { return false; }, [](const std::string&) {}};
 
 // Through all of it: the errors are those of the noise that went in, and so is the advice.
-TEST(Study, MeasuresWhatIsThere) {
+TEST(TimedStudy, MeasuresWhatIsThere) {
     const Study study = runStudy(planOf(4.0), kPrepare, kPatient);
     ASSERT_EQ(study.ending, StudyEnding::Whole);
     ASSERT_TRUE(study.reference);
@@ -325,7 +325,7 @@ private:
 };
 
 // A machine that gets slow half way through the variants does not make the later ones slow.
-TEST(Study, CorrectsForTheMachinesPace) {
+TEST(TimedStudy, CorrectsForTheMachinesPace) {
     StudyPlan plan = planOf(8.0);
     plan.usual.render.width = plan.usual.render.height = 16;
     plan.usual.render.crop = {0, 0, 16, 16};
@@ -345,8 +345,24 @@ TEST(Study, CorrectsForTheMachinesPace) {
     EXPECT_NEAR(compare(late, study.measurements.front()).timePerSample.value(), 1.0, 0.25);
 }
 
+/// Throws from the moment that `fails` says so.
+class FailingTracer : public NoiseTracer {
+public:
+    FailingTracer(const StudySettings& settings, const std::function<bool()>& fails)
+        : NoiseTracer(settings), fails_(fails) {}
+
+    void beginBlock(uint32_t firstSample, std::span<const uint8_t> isLeftOut) override {
+        if (fails_())
+            throw GpuError("the device was lost.");
+        NoiseTracer::beginBlock(firstSample, isLeftOut);
+    }
+
+private:
+    std::function<bool()> fails_;
+};
+
 // What one setting cannot do is no reason to lose the others.
-TEST(Study, GoesOnWhereAVariantFails) {
+TEST(TimedStudy, GoesOnWhereAVariantFails) {
     const PrepareTracer prepare = [](const StudySettings& settings) {
         if (settings.bvh == BvhBuilder::Median)
             throw GpuError("the device was lost.");
@@ -358,7 +374,20 @@ TEST(Study, GoesOnWhereAVariantFails) {
     EXPECT_EQ(study.failures[0].name, "median splits");
     EXPECT_EQ(study.measurements.back().variant.name, "the report's settings");
     const std::string page = toHtml(study, {"a.json", "none", "calotype render a.json"});
-    EXPECT_NE(page.find("Not measured: median splits. the device was lost."), std::string::npos);
+    EXPECT_NE(page.find("Not measured: median splits: the device was lost."), std::string::npos);
+    // Where the pace cannot be measured any more, from the third variant on.
+    int prepared = 0;
+    const PrepareTracer failing = [&](const StudySettings& settings) {
+        const bool isYardstick = ++prepared == 2;
+        const auto tracer = std::make_shared<FailingTracer>(
+            settings, [&prepared, isYardstick] { return isYardstick && prepared >= 5; });
+        return PreparedTracer{tracer, tracer.get(), 4.0};
+    };
+    const Study lost = runStudy(planOf(3.0), failing, kPatient);
+    EXPECT_GE(lost.failures.size(), 8u);
+    ASSERT_EQ(lost.measurements.size(), 2u);
+    for (const Measurement& measurement : lost.measurements)
+        EXPECT_NEAR(measurement.pace, 1.0, 0.5);
     const PrepareTracer never = [](const StudySettings&) -> PreparedTracer {
         throw GpuError("the device was lost.");
     };
@@ -366,7 +395,7 @@ TEST(Study, GoesOnWhereAVariantFails) {
 }
 
 // Preparations that take far longer than the budget has for them.
-TEST(Study, EndsWithItsBudget) {
+TEST(TimedStudy, EndsWithItsBudget) {
     const PrepareTracer slow = [](const StudySettings& settings) {
         std::this_thread::sleep_for(std::chrono::milliseconds(400));
         return kPrepare(settings);
@@ -380,8 +409,41 @@ TEST(Study, EndsWithItsBudget) {
     EXPECT_THROW(runStudy(planOf(0.3), slow, kPatient), Error);
 }
 
+/// Its samples are all black.
+class BlackTracer : public NoiseTracer {
+public:
+    using NoiseTracer::NoiseTracer;
+
+    std::span<const glm::vec4> readBlock() override {
+        for (const glm::vec4& sum : NoiseTracer::readBlock())
+            black_.push_back({0.0f, 0.0f, 0.0f, sum.w});
+        black_.erase(black_.begin(), black_.end() - 64 * 64);
+        return black_;
+    }
+
+private:
+    std::vector<glm::vec4> black_;
+};
+
+TEST(TimedStudy, SaysWhyThereIsNothingToStudy) {
+    const auto messageOf = [](double seconds, const PrepareTracer& prepare) -> std::string {
+        try {
+            runStudy(planOf(seconds), prepare, kPatient);
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return "";
+    };
+    const PrepareTracer black = [](const StudySettings& settings) {
+        const auto tracer = std::make_shared<BlackTracer>(settings);
+        return PreparedTracer{tracer, tracer.get(), 4.0};
+    };
+    EXPECT_NE(messageOf(2.0, black).find("black"), std::string::npos);
+    EXPECT_NE(messageOf(0.001, kPrepare).find("too short"), std::string::npos);
+}
+
 // The user stops it while a variant is being prepared.
-TEST(Study, StopsInAPreparation) {
+TEST(TimedStudy, StopsInAPreparation) {
     const PrepareTracer prepare = [](const StudySettings& settings) {
         if (!settings.render.transport.usesRoulette)
             throw StudyStopped();
@@ -392,7 +454,7 @@ TEST(Study, StopsInAPreparation) {
     EXPECT_EQ(study.measurements.back().variant.name, "independent samples");
 }
 
-TEST(Study, StoppedKeepsWhatIsWhole) {
+TEST(TimedStudy, StoppedKeepsWhatIsWhole) {
     const auto start = std::chrono::steady_clock::now();
     const auto age = [&] {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
