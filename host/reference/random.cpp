@@ -8,8 +8,8 @@ namespace {
 using Words = std::array<uint32_t, 4>;
 
 constexpr uint32_t kCameraGroup = 0;
-constexpr uint32_t kFirstBounceGroup = 4;
-constexpr uint32_t kGroupsPerBounce = 4;
+constexpr uint32_t kFirstBounceGroup = 8;
+constexpr uint32_t kGroupsPerBounce = 8;
 
 /// One round of mixing: each word takes in the product of two others.
 void mix(Words& w) {

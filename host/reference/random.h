@@ -17,12 +17,12 @@ struct SampleId {
     Sampler sampler = Sampler::Independent;
 };
 
-/// A path's numbers in groups of four, as the device numbers them: one group for the camera, then
-/// four groups for each bounce, from the fifth on.
+/// A path's numbers in groups of four, as the device numbers them: eight groups before the first
+/// bounce, of which the camera has the first, then eight groups for each bounce.
 enum class BounceDimension : uint32_t {
     Light = 0, ///< choice of a light and a point on it
     Bsdf = 1,  ///< direction of the next ray, choice of a lobe
-    Alpha = 2, ///< whether surfaces on the way to the next event let through
+    Alpha = 2, ///< which surfaces up to the next event let light through
 };
 
 /// Four numbers in [0, 1), multiples of 2^-24, for the position on film and lens: independent ones,

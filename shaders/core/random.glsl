@@ -11,13 +11,18 @@ struct SampleId {
 };
 
 // Each dimension is four numbers. A path's are laid out alike in every scene, so that leaving out a
-// feature leaves the other numbers as they are.
-const uint kDimensionCamera = 0u; ///< position in the pixel and on the lens
-const uint kDimensionsBeforeBounces = 4u;
-const uint kDimensionsPerBounce = 4u;
-const uint kDimensionLight = 0u; ///< choice of a light and a point on it
-const uint kDimensionBsdf = 1u;  ///< direction of the next ray, choice of a lobe
-const uint kDimensionAlpha = 2u; ///< whether surfaces on the way to the next event let through
+// feature leaves the other numbers as they are. Both the camera and each bounce have more
+// dimensions than are used, so that a new use leaves the pictures of older scenes as they are.
+const uint kDimensionCamera = 0u;     ///< position in the pixel and on the lens
+const uint kDimensionTime = 1u;       ///< within the shutter's opening; not used yet
+const uint kDimensionWavelength = 2u; ///< not used yet
+const uint kDimensionsBeforeBounces = 8u;
+const uint kDimensionsPerBounce = 8u;
+const uint kDimensionLight = 0u;          ///< choice of a light and a point on it
+const uint kDimensionBsdf = 1u;           ///< direction of the next ray, choice of a lobe
+const uint kDimensionAlpha = 2u;          ///< which surfaces up to the next event let light through
+const uint kDimensionMediumDistance = 3u; ///< to the next event in a medium; not used yet
+const uint kDimensionMediumPhase = 4u;    ///< direction after an event in a medium; not used yet
 
 uint bounceDimension(uint bounce, uint offset) {
     return kDimensionsBeforeBounces + kDimensionsPerBounce * bounce + offset;

@@ -105,12 +105,14 @@ TEST_F(Random, NoDimensionIsUsedTwice) {
     for (uint32_t bounce = 0; bounce < kBounces; ++bounce)
         words.push_back({bounce, 0, 0, 0});
     const auto results = randoms(words);
-    std::set<uint32_t> seen = {results[0].dimensions.z};
+    std::set<uint32_t> seen;
     for (const auto& r : results) {
-        seen.insert(r.dimensions.x);
-        seen.insert(r.dimensions.y);
+        for (int i = 0; i < 4; ++i)
+            seen.insert(r.bounceDimensions[i]);
+        for (int i = 0; i < 4; ++i)
+            seen.insert(r.otherDimensions[i]);
     }
-    EXPECT_EQ(seen.size(), 2 * kBounces + 1);
+    EXPECT_EQ(seen.size(), 5 * kBounces + 3);
 }
 
 // The device multiplies by Pascal's triangle in five steps; the reference adds direction numbers.
@@ -119,7 +121,7 @@ TEST_F(Random, SobolPointsAreTheReferences) {
     std::vector<glm::uvec4> words;
     for (int i = 0; i < 4000; ++i) {
         const uint32_t sample = random.bits() >> random.below(32);
-        words.push_back({random.bits() >> 16, random.bits() >> 16, sample, 4 * random.below(9)});
+        words.push_back({random.bits() >> 16, random.bits() >> 16, sample, 8 * random.below(9)});
     }
     const auto results = randoms(words);
     for (size_t i = 0; i < words.size(); ++i) {
@@ -127,7 +129,7 @@ TEST_F(Random, SobolPointsAreTheReferences) {
         const reference::SampleId id{{w.x, w.y}, w.z, 7, Sampler::Sobol};
         const glm::dvec4 expected =
             w.w == 0 ? reference::cameraNumbers(id)
-                     : reference::bounceNumbers(id, w.w / 4 - 1, reference::BounceDimension::Light);
+                     : reference::bounceNumbers(id, w.w / 8 - 1, reference::BounceDimension::Light);
         EXPECT_EQ(glm::dvec4(results[i].sobol), expected) << "sample " << w.z;
     }
 }

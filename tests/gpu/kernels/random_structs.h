@@ -11,7 +11,8 @@ struct TestRandom {
     vec4 units;       ///< unitFloats(w)
     vec4 uniforms;    ///< uniformRandom of pixel w.xy, sample w.z, dimension w.w, seed 7
     vec4 sobol;       ///< sobolRandom of the same
-    uvec4 dimensions; ///< of bounce w.x: light, bsdf; then the camera's
+    uvec4 bounceDimensions; ///< of bounce w.x: light, BSDF, alpha, medium distance
+    uvec4 otherDimensions;  ///< medium phase of bounce w.x; camera, time, wavelength
 };
 
 CALOTYPE_END_SHARED
