@@ -18,7 +18,7 @@ Bvh buildBvh(std::span<const Primitive> primitives, BvhBuilder builder,
              const BuildOptions& options) {
     if (builder == BvhBuilder::Sah) {
         Bvh bvh = collapse(buildSahSplit(primitives, options), primitives, options.threads);
-        if (bvh.depth <= gpu::kMaxBvhDepth)
+        if (bvh.depth <= shared::kMaxBvhDepth)
             return bvh; // nearly always: a tree must be very lopsided to be deeper
     }
     return collapse(buildMedianSplit(primitives, options), primitives, options.threads);

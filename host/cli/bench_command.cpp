@@ -66,7 +66,7 @@ std::vector<TraversalRate> measureTraversal(const DeviceEngine& engine,
                                                      {"shadow", RayKind::shadow()}};
     std::vector<TraversalRate> rates;
     for (const auto& [name, kind] : kinds) {
-        const std::vector<gpu::ListedRay> rays =
+        const std::vector<shared::ListedRay> rays =
             listRays(engine.device(), engine.packed(), engine.buffers(), settings, kind);
         if (rays.empty())
             continue;

@@ -30,7 +30,7 @@ Json toJson(const KeptFilm& kept) {
     json["ranges"] = Json::array();
     for (const BlockRange& range : film.blocks().ranges())
         json["ranges"].push_back(
-            {range.begin * gpu::kSamplesPerBlock, range.end * gpu::kSamplesPerBlock});
+            {range.begin * shared::kSamplesPerBlock, range.end * shared::kSamplesPerBlock});
     json["scene_hash"] = hexadecimal(kept.label.sceneHash);
     json["device"] = devicesOf(kept.label);
     json["width"] = film.width();

@@ -44,15 +44,15 @@ void printBvh(const Bvh& bvh, BvhBuilder builder) {
     std::printf("BVH         by %s, %zu nodes of %.2f children, depth %u of %u, %zu leaves of %.2f "
                 "primitives; a ray visits %.1f nodes and %.1f primitives\n",
                 builder == BvhBuilder::Median ? "median split" : "surface area heuristic",
-                statistics.nodes, statistics.childrenPerNode, bvh.depth, gpu::kMaxBvhDepth,
+                statistics.nodes, statistics.childrenPerNode, bvh.depth, shared::kMaxBvhDepth,
                 statistics.leaves, statistics.primitivesPerLeaf, statistics.nodesVisited,
                 statistics.primitivesVisited);
 }
 
 void printMemory(const Device& device, const GpuScene& packed, const RenderSettings& settings) {
     const auto mib = [](uint64_t bytes) { return static_cast<double>(bytes) / (1 << 20); };
-    const uint64_t largest = std::max({packed.nodes.size() * sizeof(gpu::BvhNode),
-                                       packed.triangles.size() * sizeof(gpu::Triangle),
+    const uint64_t largest = std::max({packed.nodes.size() * sizeof(shared::BvhNode),
+                                       packed.triangles.size() * sizeof(shared::Triangle),
                                        packed.texelRows.size() * sizeof(packed.texelRows[0])});
     std::printf("device      %s (%s)\n", device.info().name.c_str(),
                 device.choice().reason.c_str());

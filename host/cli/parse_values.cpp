@@ -197,11 +197,12 @@ LayerOptions parseLayers(const std::string& text) {
 }
 
 SampleRange parseSamples(const std::string& text) {
-    static_assert(gpu::kSamplesPerBlock == 16 && RenderDefaults::kMostSamplesPerPixel == 67'108'864,
+    static_assert(shared::kSamplesPerBlock == 16 &&
+                      RenderDefaults::kMostSamplesPerPixel == 67'108'864,
                   "as the message says");
     const auto numbers = parseList(text, ':', 2);
     const auto isBorder = [](uint32_t n) {
-        return n % gpu::kSamplesPerBlock == 0 && n <= RenderDefaults::kMostSamplesPerPixel;
+        return n % shared::kSamplesPerBlock == 0 && n <= RenderDefaults::kMostSamplesPerPixel;
     };
     if (!numbers || !isBorder((*numbers)[0]) || !isBorder((*numbers)[1]) ||
         (*numbers)[0] >= (*numbers)[1])

@@ -8,8 +8,8 @@
 namespace calotype {
 namespace {
 
-using gpu::kReplicas;
-using gpu::kSamplesPerBlock;
+using shared::kReplicas;
+using shared::kSamplesPerBlock;
 
 constexpr uint32_t kFirstSurveyBlocks = AdaptiveFilm::kReplicasPerHalf;
 

@@ -29,7 +29,7 @@ struct SurveyPixel {
 class AdaptiveFilm {
 public:
     static constexpr uint32_t kHalves = 2;
-    static constexpr uint32_t kReplicasPerHalf = gpu::kReplicas / kHalves;
+    static constexpr uint32_t kReplicasPerHalf = shared::kReplicas / kHalves;
 
     /// Black, of width * height > 0 pixels; `unit` is a power of two, as filmUnit gives it.
     AdaptiveFilm(uint32_t width, uint32_t height, double unit);

@@ -17,7 +17,7 @@ BlockRange intersection(const BlockRange& a, const BlockRange& b) {
 
 std::string sampleText(const BlockRange& range) {
     const auto sample = [](uint32_t block) {
-        return std::to_string(block * gpu::kSamplesPerBlock);
+        return std::to_string(block * shared::kSamplesPerBlock);
     };
     return sample(range.begin) + ":" + sample(range.end);
 }

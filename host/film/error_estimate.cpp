@@ -8,7 +8,7 @@
 namespace calotype {
 namespace {
 
-using gpu::kReplicas;
+using shared::kReplicas;
 
 /// Standard errors within which 95 % of normally distributed errors lie.
 constexpr double kNormalInterval = 1.96;

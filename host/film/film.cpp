@@ -9,8 +9,8 @@
 namespace calotype {
 namespace {
 
-using gpu::kReplicas;
-using gpu::kSamplesPerBlock;
+using shared::kReplicas;
+using shared::kSamplesPerBlock;
 
 bool isFinite(const glm::vec4& sum) {
     return std::isfinite(sum.r) && std::isfinite(sum.g) && std::isfinite(sum.b);

@@ -36,7 +36,7 @@ struct FilmLosses {
 /// for bit the same whatever the order in which their blocks came, and no sum stagnates.
 ///
 /// Block b holds the samples of absolute indices from 16 b on, and belongs to replica b mod 8: of
-/// gpu::kSamplesPerBlock and gpu::kReplicas. Replicas are independent of each other.
+/// shared::kSamplesPerBlock and shared::kReplicas. Replicas are independent of each other.
 ///
 /// Range: a sum of one block enters exactly from 2^-41 units up, and to within 2^-65 units below;
 /// it stays below 2^40 units, and a film's sum below 2^63 units, so 2^23 blocks fit.
@@ -71,7 +71,7 @@ public:
     Film(uint32_t width, uint32_t height, double unit, Sums sums);
 
     /// Adds a whole block that it does not hold: per pixel, row by row, the sum of r, g, b over
-    /// gpu::kSamplesPerBlock samples, and that number in w. A pixel whose sum is not finite, or
+    /// shared::kSamplesPerBlock samples, and that number in w. A pixel whose sum is not finite, or
     /// from 2^40 units up, adds nothing, stays in the count of samples, and is among the losses,
     /// as are those which `losses` reports of the block's samples.
     void addBlock(uint32_t block, std::span<const glm::vec4> blockSums,

@@ -172,7 +172,7 @@ KeptFilm readParts(const Json& description, std::string_view compressed) {
         sizes.push_back(numberIn<uint64_t>(size, 0, compressed.size()));
     const size_t pixels = size_t{width} * height;
     const auto chunksFor = [](size_t n) { return (n + kChunkNumbers - 1) / kChunkNumbers; };
-    if (sizes.size() != chunksFor(3 * pixels) + chunksFor(gpu::kReplicas * pixels))
+    if (sizes.size() != chunksFor(3 * pixels) + chunksFor(shared::kReplicas * pixels))
         throw std::out_of_range("chunks");
     std::vector<std::string_view> chunks;
     for (const uint64_t size : sizes) {
@@ -186,7 +186,8 @@ KeptFilm readParts(const Json& description, std::string_view compressed) {
     size_t given = 0;
     for (const uint64_t size : sizes)
         given += size;
-    if ((3 + gpu::kReplicas) * pixels * kNumberBytes > kMostPerByte * given || !compressed.empty())
+    if ((3 + shared::kReplicas) * pixels * kNumberBytes > kMostPerByte * given ||
+        !compressed.empty())
         throw std::out_of_range("chunks");
     Film::Sums sums;
     sums.blocks = readBlocks(description);
@@ -196,7 +197,7 @@ KeptFilm readParts(const Json& description, std::string_view compressed) {
     sums.losses = {count("non_finite_samples"), count("cut_paths"), count("non_finite_pixels"),
                    count("overflowed_pixels")};
     sums.colors.resize(pixels);
-    sums.luminances.resize(gpu::kReplicas * pixels);
+    sums.luminances.resize(shared::kReplicas * pixels);
     std::vector<std::span<FixedPoint>> targets;
     forEachChunk(sums, [&](std::span<FixedPoint> numbers) { targets.push_back(numbers); });
     std::atomic<bool> isWhole = true;

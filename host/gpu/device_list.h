@@ -17,8 +17,8 @@ struct DeviceInfo {
     std::string driver;     ///< name and version
     std::string apiVersion; ///< Vulkan's, such as "1.3.230"
     uint32_t subgroupSize = 1;
-    std::string missing;    ///< what it lacks to run Calotype; empty where it can
-    int rank = 0;           ///< by type: the higher, the rather it is taken
+    std::string missing; ///< what it lacks to run Calotype; empty where it can
+    int rank = 0;        ///< by type: the higher, the rather it is taken
 };
 
 struct DeviceChoice {

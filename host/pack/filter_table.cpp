@@ -61,9 +61,9 @@ double distanceWithWeight(FilmFilter filter, double weight) {
 std::vector<float> filterQuantiles(FilmFilter filter) {
     const double whole = weightWithin(filter, filterRadius(filter));
     std::vector<float> quantiles = {0.0f};
-    for (uint32_t step = 1; step <= gpu::kFilterSteps; ++step)
+    for (uint32_t step = 1; step <= shared::kFilterSteps; ++step)
         quantiles.push_back(
-            static_cast<float>(distanceWithWeight(filter, whole * step / gpu::kFilterSteps)));
+            static_cast<float>(distanceWithWeight(filter, whole * step / shared::kFilterSteps)));
     return quantiles;
 }
 

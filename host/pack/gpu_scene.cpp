@@ -39,7 +39,7 @@ public:
     }
 
     GpuScene pack(double aspectRatio) {
-        requireAddressable(primitives_.size(), gpu::kMostPrimitives, "primitives");
+        requireAddressable(primitives_.size(), shared::kMostPrimitives, "primitives");
         packPrimitives();
         packLights();
         packNodes();
@@ -55,7 +55,7 @@ private:
     /// the arrays.
     void packPrimitives() {
         const bool smooth = anyTriangleHasNormals();
-        enable(gpu::kFeatureSmoothNormals, smooth);
+        enable(shared::kFeatureSmoothNormals, smooth);
         packMaterials();
         const bool textured =
             corners_.allUvs ||
@@ -63,8 +63,9 @@ private:
                         [&](uint32_t slot) { return packed_.features.enabled[slot]; });
         nameInOrder();
         const size_t triangles = names_.size() - quadricCount_;
-        enable(gpu::kFeatureTriangles, triangles > 0);
-        enable(gpu::kFeatureManyQuadrics, triangles > 0 && quadricCount_ > 0 && hasManyQuadrics());
+        enable(shared::kFeatureTriangles, triangles > 0);
+        enable(shared::kFeatureManyQuadrics,
+               triangles > 0 && quadricCount_ > 0 && hasManyQuadrics());
         packed_.quadrics.resize(quadricCount_);
         packed_.triangles.resize(triangles);
         packed_.triangleNormals.resize(smooth || corners_.allNormals ? triangles : 0);
@@ -75,8 +76,8 @@ private:
                 packPrimitive(bvh_.order[place], names_[place]);
             }
         });
-        for (const gpu::Quadric& quadric : packed_.quadrics)
-            enable(gpu::kFeatureSpheres + quadric.kind, true);
+        for (const shared::Quadric& quadric : packed_.quadrics)
+            enable(shared::kFeatureSpheres + quadric.kind, true);
         for (const uint32_t place : placesOfLights())
             addLight(bvh_.order[place], names_[place]);
     }
@@ -90,7 +91,7 @@ private:
         return statistics.quadricsVisited > kMany * statistics.primitivesVisited;
     }
 
-    /// Of each primitive in the order of the leaves, its name (gpu::kQuadricBit).
+    /// Of each primitive in the order of the leaves, its name (shared::kQuadricBit).
     void nameInOrder() {
         names_.resize(bvh_.order.size());
         std::iota(names_.begin(), names_.end(), 0u);
@@ -102,14 +103,14 @@ private:
         uint32_t triangles = 0;
         for (size_t place = 0; place < names_.size(); ++place)
             names_[place] = primitives_[bvh_.order[place]].kind == PrimitiveKind::Quadric
-                                ? quadricCount_++ | gpu::kQuadricBit
+                                ? quadricCount_++ | shared::kQuadricBit
                                 : triangles++;
     }
 
     uint32_t materialOf(uint32_t name) const {
-        const uint32_t index = name & ~gpu::kQuadricBit;
-        return ~gpu::kTransparentBit & (name == index ? packed_.triangles[index].material
-                                                      : packed_.quadrics[index].material);
+        const uint32_t index = name & ~shared::kQuadricBit;
+        return ~shared::kTransparentBit & (name == index ? packed_.triangles[index].material
+                                                         : packed_.quadrics[index].material);
     }
 
     /// Places in the order of the leaves of primitives that may be lights.
@@ -147,13 +148,13 @@ private:
         const Shape& shape = scene_.shapes[primitives_[number].shape];
         const auto* mesh = std::get_if<Mesh>(&shape.geometry);
         if (!mesh) {
-            gpu::Quadric& quadric = packed_.quadrics[name & ~gpu::kQuadricBit];
+            shared::Quadric& quadric = packed_.quadrics[name & ~shared::kQuadricBit];
             quadric = packQuadric(shape, packed_.origin, number);
             quadric.material |= transparentBit(quadric.material);
             return;
         }
         const uint32_t index = primitives_[number].triangle;
-        gpu::Triangle& triangle = packed_.triangles[name];
+        shared::Triangle& triangle = packed_.triangles[name];
         triangle = packTriangle(*mesh, index, packed_.origin, number);
         triangle.material |= transparentBit(triangle.material);
         if (!packed_.triangleNormals.empty())
@@ -163,12 +164,12 @@ private:
     }
 
     void addLight(uint32_t number, uint32_t name) {
-        if ((name & gpu::kQuadricBit) != 0) {
-            const gpu::Quadric& quadric = packed_.quadrics[name & ~gpu::kQuadricBit];
-            enable(gpu::kFeatureSphereLights + quadric.kind,
+        if ((name & shared::kQuadricBit) != 0) {
+            const shared::Quadric& quadric = packed_.quadrics[name & ~shared::kQuadricBit];
+            enable(shared::kFeatureSphereLights + quadric.kind,
                    lights_.add(materialOf(name), name, number, areaOf(quadric)));
         } else {
-            enable(gpu::kFeatureTriangleLights,
+            enable(shared::kFeatureTriangleLights,
                    lights_.add(materialOf(name), name, number, areaOf(packed_.triangles[name])));
         }
     }
@@ -190,10 +191,10 @@ private:
         packed_.lightCount = static_cast<uint32_t>(packed_.lights.size());
         for (uint32_t i = 0; i < packed_.lightCount; ++i) {
             const uint32_t name = packed_.lights[i].primitive;
-            if (name == gpu::kBackground)
+            if (name == shared::kBackground)
                 continue;
-            if ((name & gpu::kQuadricBit) != 0)
-                packed_.quadrics[name & ~gpu::kQuadricBit].light = i;
+            if ((name & shared::kQuadricBit) != 0)
+                packed_.quadrics[name & ~shared::kQuadricBit].light = i;
             else
                 packed_.triangles[name].light = i;
         }
@@ -208,7 +209,7 @@ private:
                     slot.count;
         }
         const NodePlaces places = placeNodes(bvh_);
-        requireAddressable(places.end, gpu::kMostNodes, "nodes of its tree");
+        requireAddressable(places.end, shared::kMostNodes, "nodes of its tree");
         packed_.nodes.resize(places.end);
         parallelChunks(first.size(), allCores(), [&](uint64_t begin, uint64_t end) {
             for (uint64_t i = begin; i < end; ++i)
@@ -238,7 +239,7 @@ private:
     }
 
     uint32_t transparentBit(uint32_t material) const {
-        return isTransparent(scene_.materials[material]) ? gpu::kTransparentBit : 0;
+        return isTransparent(scene_.materials[material]) ? shared::kTransparentBit : 0;
     }
 
     void packView(double aspectRatio) {
@@ -246,9 +247,9 @@ private:
         const FilmFilter filter = scene_.film.filter;
         packed_.camera = packCamera(camera, filter, packed_.origin, aspectRatio);
         packed_.filterQuantiles = filterQuantiles(filter);
-        enable(gpu::kFeatureFilter, filter != FilmFilter::Box);
-        enable(gpu::kFeatureLens, camera.lensRadius > 0.0);
-        enable(gpu::kFeatureOrthographic, camera.projection == Projection::Orthographic);
+        enable(shared::kFeatureFilter, filter != FilmFilter::Box);
+        enable(shared::kFeatureLens, camera.lensRadius > 0.0);
+        enable(shared::kFeatureOrthographic, camera.projection == Projection::Orthographic);
     }
 
     /// Buffers of no size do not exist. An empty scene is one triangle without area, which no ray
@@ -256,7 +257,7 @@ private:
     void fillEmptyArrays() {
         if (packed_.nodes.empty()) {
             packed_.nodes.emplace_back();
-            enable(gpu::kFeatureTriangles, true);
+            enable(shared::kFeatureTriangles, true);
         }
         const auto fill = [](auto& array) {
             if (array.empty())
@@ -277,8 +278,8 @@ private:
     }
 
     static constexpr uint32_t kTextureSlots[] = {
-        gpu::kFeatureColorTextures, gpu::kFeatureRoughnessTextures, gpu::kFeatureSpecularTextures,
-        gpu::kFeatureNormalMaps, gpu::kFeatureAlpha};
+        shared::kFeatureColorTextures, shared::kFeatureRoughnessTextures,
+        shared::kFeatureSpecularTextures, shared::kFeatureNormalMaps, shared::kFeatureAlpha};
 
     const Scene& scene_;
     std::span<const Primitive> primitives_;
@@ -307,8 +308,10 @@ size_t GpuScene::bytes() const {
 
 GpuScene packScene(const Scene& scene, std::span<const Primitive> primitives, const Bvh& bvh,
                    const glm::dvec3& origin, double aspectRatio, const CornerData& corners) {
-    static_assert(gpu::kFeatureDisks - gpu::kFeatureSpheres == gpu::kDisk - gpu::kSphere);
-    static_assert(gpu::kFeatureDiskLights - gpu::kFeatureSphereLights == gpu::kDisk - gpu::kSphere);
+    static_assert(shared::kFeatureDisks - shared::kFeatureSpheres ==
+                  shared::kDisk - shared::kSphere);
+    static_assert(shared::kFeatureDiskLights - shared::kFeatureSphereLights ==
+                  shared::kDisk - shared::kSphere);
     CALOTYPE_CHECK_EQ(bvh.order.size(), primitives.size());
     return ScenePacker(scene, primitives, bvh, origin, corners).pack(aspectRatio);
 }

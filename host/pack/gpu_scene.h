@@ -13,19 +13,20 @@ namespace calotype {
 
 /// A scene as the kernels read it, relative to `origin`. No array is empty.
 struct GpuScene {
-    std::vector<gpu::BvhNode> nodes;
-    std::vector<gpu::Triangle> triangles;
-    std::vector<gpu::TriangleNormals> triangleNormals; ///< one per triangle, or a single one unused
-    std::vector<gpu::TriangleUvs> triangleUvs;         ///< likewise
-    std::vector<gpu::Quadric> quadrics;
-    std::vector<gpu::Material> materials; ///< those that no primitive bears are left blank
-    std::vector<gpu::Texture> textures;
+    std::vector<shared::BvhNode> nodes;
+    std::vector<shared::Triangle> triangles;
+    std::vector<shared::TriangleNormals>
+        triangleNormals;                          ///< one per triangle, or a single one unused
+    std::vector<shared::TriangleUvs> triangleUvs; ///< likewise
+    std::vector<shared::Quadric> quadrics;
+    std::vector<shared::Material> materials; ///< those that no primitive bears are left blank
+    std::vector<shared::Texture> textures;
     std::vector<glm::uvec4> texelRows;
-    std::vector<gpu::Light> lights; ///< the background last
+    std::vector<shared::Light> lights; ///< the background last
     std::vector<float> filterQuantiles;
     uint32_t lightCount = 0; ///< `lights` holds one unused where this is 0
     size_t primitiveCount = 0;
-    gpu::Camera camera{};
+    shared::Camera camera{};
     SceneFeatures features;
     glm::dvec3 origin{0.0};
     double maxRadiance = 0.0; ///< largest emitted radiance of any channel, W/(m^2 sr)

@@ -31,13 +31,13 @@ void requirePackable(const Camera& camera, double halfHeight, double aspectRatio
 
 } // namespace
 
-gpu::Camera packCamera(const Camera& camera, FilmFilter filter, const glm::dvec3& origin,
-                       double aspectRatio) {
+shared::Camera packCamera(const Camera& camera, FilmFilter filter, const glm::dvec3& origin,
+                          double aspectRatio) {
     const bool orthographic = camera.projection == Projection::Orthographic;
     const double halfHeight =
         orthographic ? 0.5 * camera.viewHeight : std::tan(0.5 * camera.verticalFov);
     requirePackable(camera, halfHeight, aspectRatio);
-    gpu::Camera packed{};
+    shared::Camera packed{};
     packed.position = packPosition(camera.position, origin);
     packed.focusDistance = static_cast<float>(std::min(camera.focusDistance, kFarthestFocus));
     packed.right = glm::vec3(camera.right * (halfHeight * aspectRatio));

@@ -7,7 +7,7 @@ namespace calotype {
 
 /// The camera relative to `origin`; `aspectRatio` is the picture's width over its height.
 /// Throws SceneError where single precision does not hold its rays.
-gpu::Camera packCamera(const Camera& camera, FilmFilter filter, const glm::dvec3& origin,
-                       double aspectRatio);
+shared::Camera packCamera(const Camera& camera, FilmFilter filter, const glm::dvec3& origin,
+                          double aspectRatio);
 
 } // namespace calotype

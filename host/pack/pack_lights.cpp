@@ -30,16 +30,16 @@ bool LightPacker::add(uint32_t materialIndex, uint32_t name, uint32_t number, do
     if (!shines && material.visibleToCamera)
         return false;
     maxRadiance_ = std::max(maxRadiance_, maxComponent(material.emission));
-    gpu::Light light{};
+    shared::Light light{};
     light.radiance = glm::vec3(material.emission);
     light.primitive = name;
     light.area = static_cast<float>(area);
-    light.flags = (material.emitsFromFrontOnly ? 0 : gpu::kLightEmitsFromBack) |
-                  (material.visibleToCamera ? 0 : gpu::kLightHiddenFromCamera);
+    light.flags = (material.emitsFromFrontOnly ? 0 : shared::kLightEmitsFromBack) |
+                  (material.visibleToCamera ? 0 : shared::kLightHiddenFromCamera);
     if (!material.visibleToCamera)
-        features_.enabled[gpu::kFeatureHiddenLights] = true;
+        features_.enabled[shared::kFeatureHiddenLights] = true;
     if (isTransparent(material))
-        features_.enabled[gpu::kFeatureLightAlpha] = true;
+        features_.enabled[shared::kFeatureLightAlpha] = true;
     const double sides = material.emitsFromFrontOnly ? 1.0 : 2.0;
     lights_.push_back({light, number, luminance(material.emission) * area * sides});
     return true;
@@ -59,14 +59,14 @@ void LightPacker::addBackground() {
     double others = 0.0;
     for (const NumberedLight& light : lights_)
         others += light.power;
-    gpu::Light light{};
+    shared::Light light{};
     light.radiance = glm::vec3(scene_.background);
-    light.primitive = gpu::kBackground;
+    light.primitive = shared::kBackground;
     lights_.push_back({light, 0, others > 0.0 ? std::min(power, others) : power});
-    features_.enabled[gpu::kFeatureBackground] = true;
+    features_.enabled[shared::kFeatureBackground] = true;
 }
 
-std::vector<gpu::Light> LightPacker::take() {
+std::vector<shared::Light> LightPacker::take() {
     std::ranges::sort(lights_, {}, &NumberedLight::number);
     addBackground();
     std::vector<double> powers;
@@ -74,9 +74,9 @@ std::vector<gpu::Light> LightPacker::take() {
         powers.push_back(
             scene_.lightChoice == LightChoice::Power || light.power == 0.0 ? light.power : 1.0);
     const std::vector<AliasColumn> columns = buildAliasTable(powers);
-    std::vector<gpu::Light> packed;
+    std::vector<shared::Light> packed;
     for (size_t i = 0; i < lights_.size(); ++i) {
-        gpu::Light light = lights_[i].light;
+        shared::Light light = lights_[i].light;
         light.selectionProbability = static_cast<float>(columns[i].probability);
         light.firstNumber = columns[i].firstNumber;
         light.ownNumbers = columns[i].ownNumbers;

@@ -19,21 +19,21 @@ public:
     /// Whether primitives of the material may be lights.
     bool isLight(uint32_t materialIndex) const;
 
-    /// Adds the primitive of that name (gpu::Light::primitive) and number in the scene file if its
-    /// material makes it a light; true if so. `area` in m^2. Throws SceneError where its radiance
-    /// is beyond what single precision has room for.
+    /// Adds the primitive of that name (shared::Light::primitive) and number in the scene file if
+    /// its material makes it a light; true if so. `area` in m^2. Throws SceneError where its
+    /// radiance is beyond what single precision has room for.
     bool add(uint32_t materialIndex, uint32_t name, uint32_t number, double area);
 
     /// All lights in the order of the scene file, so that which one a random number picks does not
     /// depend on the tree, with their alias table; the background last. Throws as `add`.
-    std::vector<gpu::Light> take();
+    std::vector<shared::Light> take();
 
     /// Largest emitted radiance of any channel, W/(m^2 sr).
     double maxRadiance() const { return maxRadiance_; }
 
 private:
     struct NumberedLight {
-        gpu::Light light{};
+        shared::Light light{};
         uint32_t number = 0; ///< of its primitive
         double power = 0.0;  ///< up to a factor that all share
     };

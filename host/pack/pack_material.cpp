@@ -9,24 +9,24 @@ namespace {
 bool isBlack(const Material& material) { return material.color == glm::dvec3(0.0); }
 
 uint32_t ggxLobe(const Material& material) {
-    return gpu::kLobeGgx | (material.masking == Masking::Smith ? gpu::kSmithMasking : 0);
+    return shared::kLobeGgx | (material.masking == Masking::Smith ? shared::kSmithMasking : 0);
 }
 
 uint32_t lobesOf(const Material& material) {
     switch (material.type) {
     case MaterialType::Diffuse:
-        return isBlack(material) ? 0 : gpu::kLobeDiffuse;
+        return isBlack(material) ? 0 : shared::kLobeDiffuse;
     case MaterialType::Metal:
-        return ggxLobe(material) | gpu::kColorIsF0;
+        return ggxLobe(material) | shared::kColorIsF0;
     case MaterialType::Nonmetal:
-        return ggxLobe(material) | gpu::kLobeDiffuse;
+        return ggxLobe(material) | shared::kLobeDiffuse;
     case MaterialType::BlinnPhong:
-        return gpu::kLobeDiffuse | gpu::kLobeBlinnPhong |
-               (material.normalize ? gpu::kNormalizedLobe : 0);
+        return shared::kLobeDiffuse | shared::kLobeBlinnPhong |
+               (material.normalize ? shared::kNormalizedLobe : 0);
     case MaterialType::Dielectric:
         break;
     }
-    return gpu::kLobeDielectric;
+    return shared::kLobeDielectric;
 }
 
 /// What the packed material's `specular` is.
@@ -36,24 +36,25 @@ double specularOf(const Material& material) {
 
 bool mayBeMirror(const Material& material) {
     const double alpha = material.roughness * material.roughness;
-    return alpha < gpu::kMirrorAlpha || material.roughnessTexture != Material::kNoTexture;
+    return alpha < shared::kMirrorAlpha || material.roughnessTexture != Material::kNoTexture;
 }
 
 /// Where each of a material's textures goes, and what the kernel needs to read it there.
 struct PackedSlot {
     uint32_t Material::*texture;
-    uint32_t gpu::Material::*packed;
+    uint32_t shared::Material::*packed;
     uint32_t feature;
     bool isOfGgx; ///< of no use to materials without that lobe
 };
 constexpr PackedSlot kSlots[] = {
-    {&Material::colorTexture, &gpu::Material::colorTexture, gpu::kFeatureColorTextures, false},
-    {&Material::roughnessTexture, &gpu::Material::roughnessTexture, gpu::kFeatureRoughnessTextures,
-     true},
-    {&Material::specularTexture, &gpu::Material::specularTexture, gpu::kFeatureSpecularTextures,
-     true},
-    {&Material::normalMap, &gpu::Material::normalMap, gpu::kFeatureNormalMaps, false},
-    {&Material::alphaTexture, &gpu::Material::alphaTexture, gpu::kFeatureAlpha, false},
+    {&Material::colorTexture, &shared::Material::colorTexture, shared::kFeatureColorTextures,
+     false},
+    {&Material::roughnessTexture, &shared::Material::roughnessTexture,
+     shared::kFeatureRoughnessTextures, true},
+    {&Material::specularTexture, &shared::Material::specularTexture,
+     shared::kFeatureSpecularTextures, true},
+    {&Material::normalMap, &shared::Material::normalMap, shared::kFeatureNormalMaps, false},
+    {&Material::alphaTexture, &shared::Material::alphaTexture, shared::kFeatureAlpha, false},
 };
 static_assert(std::ranges::equal(kSlots, kMaterialTextures, {}, &PackedSlot::texture));
 
@@ -66,12 +67,12 @@ public:
 
     uint32_t pack(uint32_t texture, uint32_t slotFeature) {
         if (texture == Material::kNoTexture)
-            return gpu::kNone;
+            return shared::kNone;
         features_.enabled[slotFeature] = true;
         const auto* image = std::get_if<ImageTexture>(&sceneTextures_[texture].source);
-        features_.enabled[!image                       ? gpu::kFeatureCheckers
-                          : image->image->holdsBytes() ? gpu::kFeatureByteTexels
-                                                       : gpu::kFeatureFloatTexels] = true;
+        features_.enabled[!image                       ? shared::kFeatureCheckers
+                          : image->image->holdsBytes() ? shared::kFeatureByteTexels
+                                                       : shared::kFeatureFloatTexels] = true;
         return textures_.add(texture);
     }
 
@@ -83,20 +84,20 @@ private:
 
 } // namespace
 
-gpu::Material packMaterial(const Material& material, std::span<const Texture> sceneTextures,
-                           TexturePacker& textures, SceneFeatures& features) {
-    gpu::Material packed{};
+shared::Material packMaterial(const Material& material, std::span<const Texture> sceneTextures,
+                              TexturePacker& textures, SceneFeatures& features) {
+    shared::Material packed{};
     packed.lobes = lobesOf(material);
-    const bool hasGgx = (packed.lobes & gpu::kLobeGgx) != 0;
+    const bool hasGgx = (packed.lobes & shared::kLobeGgx) != 0;
     const auto enable = [&](uint32_t feature, bool needed) {
         features.enabled[feature] = features.enabled[feature] || needed;
     };
-    enable(gpu::kFeatureDiffuse, (packed.lobes & gpu::kLobeDiffuse) != 0);
-    enable(gpu::kFeatureGgx, hasGgx);
-    enable(gpu::kFeatureMirrors, hasGgx && mayBeMirror(material));
-    enable(gpu::kFeatureBlinnPhong, (packed.lobes & gpu::kLobeBlinnPhong) != 0);
-    enable(gpu::kFeatureDielectrics, (packed.lobes & gpu::kLobeDielectric) != 0);
-    enable(gpu::kFeatureAlpha, isTransparent(material));
+    enable(shared::kFeatureDiffuse, (packed.lobes & shared::kLobeDiffuse) != 0);
+    enable(shared::kFeatureGgx, hasGgx);
+    enable(shared::kFeatureMirrors, hasGgx && mayBeMirror(material));
+    enable(shared::kFeatureBlinnPhong, (packed.lobes & shared::kLobeBlinnPhong) != 0);
+    enable(shared::kFeatureDielectrics, (packed.lobes & shared::kLobeDielectric) != 0);
+    enable(shared::kFeatureAlpha, isTransparent(material));
 
     SlotPacker slots(sceneTextures, textures, features);
     for (const PackedSlot& slot : kSlots) {

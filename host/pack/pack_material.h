@@ -9,8 +9,8 @@ namespace calotype {
 
 /// A material as the lobes that it is made of, and into `features` what they need of the kernel.
 /// The textures in use are added to `textures`.
-gpu::Material packMaterial(const Material& material, std::span<const Texture> sceneTextures,
-                           TexturePacker& textures, SceneFeatures& features);
+shared::Material packMaterial(const Material& material, std::span<const Texture> sceneTextures,
+                              TexturePacker& textures, SceneFeatures& features);
 
 /// True where light may pass through surfaces of the material.
 bool isTransparent(const Material& material);

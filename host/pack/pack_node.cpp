@@ -70,8 +70,8 @@ uint32_t bitOf(uint32_t slot, bool isSet) { return isSet ? 1u << slot : 0u; }
 
 } // namespace
 
-gpu::BvhNode packNode(const Bvh::Node& node, const FirstPrimitives& first, uint32_t childBase) {
-    gpu::BvhNode packed{};
+shared::BvhNode packNode(const Bvh::Node& node, const FirstPrimitives& first, uint32_t childBase) {
+    shared::BvhNode packed{};
     packed.origin = node.bounds.lower;
     packed.childBase = childBase;
     packed.firstTriangle = first.triangle;
@@ -82,8 +82,8 @@ gpu::BvhNode packNode(const Bvh::Node& node, const FirstPrimitives& first, uint3
         packed.primitives |= bitOf(slot, child.kind == Bvh::SlotKind::Quadrics) << 24;
         packed.primitives |= ((1u << child.count) - 1u) << (3 * slot);
     }
-    gpu::uvec2* const lower[] = {&packed.lowerX, &packed.lowerY, &packed.lowerZ};
-    gpu::uvec2* const upper[] = {&packed.upperX, &packed.upperY, &packed.upperZ};
+    shared::uvec2* const lower[] = {&packed.lowerX, &packed.lowerY, &packed.lowerZ};
+    shared::uvec2* const upper[] = {&packed.upperX, &packed.upperY, &packed.upperZ};
     for (int axis = 0; axis < 3; ++axis) {
         const Grid grid(node.bounds.lower[axis], node.bounds.upper[axis]);
         packed.nodesAndExponents |= grid.biasedExponent() << (8 * axis);

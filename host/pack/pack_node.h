@@ -14,6 +14,6 @@ struct FirstPrimitives {
 /// A node with the boxes of its children on a grid of 255 cells a side over its own box (Ylitie,
 /// Karras and Laine 2017, section 3.1): each contains the exact one, however large, small or far
 /// from the origin.
-gpu::BvhNode packNode(const Bvh::Node& node, const FirstPrimitives& first, uint32_t childBase);
+shared::BvhNode packNode(const Bvh::Node& node, const FirstPrimitives& first, uint32_t childBase);
 
 } // namespace calotype

@@ -11,8 +11,8 @@
 namespace calotype {
 namespace {
 
-gpu::Quadric withFrame(const RigidTransform& worldFromObject, const glm::dvec3& origin) {
-    gpu::Quadric quadric{};
+shared::Quadric withFrame(const RigidTransform& worldFromObject, const glm::dvec3& origin) {
+    shared::Quadric quadric{};
     quadric.center = packPosition(worldFromObject.translation, origin);
     quadric.axisX = glm::vec3(worldFromObject.rotation[0]);
     quadric.axisY = glm::vec3(worldFromObject.rotation[1]);
@@ -22,9 +22,9 @@ gpu::Quadric withFrame(const RigidTransform& worldFromObject, const glm::dvec3& 
 
 /// The centre is moved so that rounding the radius leaves the surface where it is on the side of
 /// the packed scene's origin.
-gpu::Quadric pack(const Sphere& sphere, const glm::dvec3& origin) {
-    gpu::Quadric quadric = withFrame(sphere.worldFromObject, origin);
-    quadric.kind = gpu::kSphere;
+shared::Quadric pack(const Sphere& sphere, const glm::dvec3& origin) {
+    shared::Quadric quadric = withFrame(sphere.worldFromObject, origin);
+    quadric.kind = shared::kSphere;
     quadric.radius = static_cast<float>(sphere.radius);
     const glm::dvec3 exact = sphere.worldFromObject.translation - origin;
     const double distance = glm::length(exact);
@@ -35,26 +35,26 @@ gpu::Quadric pack(const Sphere& sphere, const glm::dvec3& origin) {
     return quadric;
 }
 
-gpu::Quadric pack(const Cylinder& cylinder, const glm::dvec3& origin) {
-    gpu::Quadric quadric = withFrame(cylinder.worldFromObject, origin);
-    quadric.kind = gpu::kCylinder;
+shared::Quadric pack(const Cylinder& cylinder, const glm::dvec3& origin) {
+    shared::Quadric quadric = withFrame(cylinder.worldFromObject, origin);
+    quadric.kind = shared::kCylinder;
     quadric.radius = static_cast<float>(cylinder.radius);
     quadric.extent = static_cast<float>(cylinder.height);
     return quadric;
 }
 
-gpu::Quadric pack(const Cone& cone, const glm::dvec3& origin) {
-    gpu::Quadric quadric = withFrame(cone.worldFromObject, origin);
-    quadric.kind = gpu::kCone;
+shared::Quadric pack(const Cone& cone, const glm::dvec3& origin) {
+    shared::Quadric quadric = withFrame(cone.worldFromObject, origin);
+    quadric.kind = shared::kCone;
     quadric.radius = static_cast<float>(cone.slope * std::abs(cone.height));
     quadric.extent = static_cast<float>(cone.height);
     quadric.slope = static_cast<float>(cone.slope);
     return quadric;
 }
 
-gpu::Quadric pack(const Disk& disk, const glm::dvec3& origin) {
-    gpu::Quadric quadric = withFrame(disk.worldFromObject, origin);
-    quadric.kind = gpu::kDisk;
+shared::Quadric pack(const Disk& disk, const glm::dvec3& origin) {
+    shared::Quadric quadric = withFrame(disk.worldFromObject, origin);
+    quadric.kind = shared::kDisk;
     quadric.radius = static_cast<float>(disk.radius);
     return quadric;
 }
@@ -72,35 +72,35 @@ glm::dvec3 normalOf(const glm::dvec3& v0, const glm::dvec3& v1, const glm::dvec3
     return length > 0.0 ? normal / length : glm::dvec3(0.0);
 }
 
-void setNormal(gpu::Triangle& triangle, const glm::dvec3& normal) {
+void setNormal(shared::Triangle& triangle, const glm::dvec3& normal) {
     triangle.normalX = static_cast<float>(normal.x);
     triangle.normalY = static_cast<float>(normal.y);
     triangle.normalZ = static_cast<float>(normal.z);
 }
 
-bool hasNormal(const gpu::Triangle& triangle) {
+bool hasNormal(const shared::Triangle& triangle) {
     return triangle.normalX != 0.0f || triangle.normalY != 0.0f || triangle.normalZ != 0.0f;
 }
 
 } // namespace
 
-gpu::Triangle packTriangle(const glm::vec3& v0, const glm::vec3& v1, const glm::vec3& v2) {
-    gpu::Triangle packed{};
+shared::Triangle packTriangle(const glm::vec3& v0, const glm::vec3& v1, const glm::vec3& v2) {
+    shared::Triangle packed{};
     packed.v0 = v0;
     packed.v1 = v1;
     packed.v2 = v2;
     setNormal(packed, normalOf(glm::dvec3(v0), glm::dvec3(v1), glm::dvec3(v2)));
-    packed.light = gpu::kNone;
+    packed.light = shared::kNone;
     return packed;
 }
 
-gpu::Triangle packTriangle(const Mesh& mesh, uint32_t triangle, const glm::dvec3& origin,
-                           uint32_t number) {
+shared::Triangle packTriangle(const Mesh& mesh, uint32_t triangle, const glm::dvec3& origin,
+                              uint32_t number) {
     const Mesh::Triangle& source = mesh.triangles[triangle];
     const glm::dvec3& v0 = mesh.positions[source.position[0]];
     const glm::dvec3& v1 = mesh.positions[source.position[1]];
     const glm::dvec3& v2 = mesh.positions[source.position[2]];
-    gpu::Triangle packed =
+    shared::Triangle packed =
         packTriangle(packPosition(v0, origin), packPosition(v1, origin), packPosition(v2, origin));
     if (!hasNormal(packed))
         setNormal(packed, normalOf(v0, v1, v2));
@@ -109,8 +109,8 @@ gpu::Triangle packTriangle(const Mesh& mesh, uint32_t triangle, const glm::dvec3
     return packed;
 }
 
-gpu::TriangleNormals packTriangleNormals(const Mesh& mesh, uint32_t triangle) {
-    gpu::TriangleNormals packed{};
+shared::TriangleNormals packTriangleNormals(const Mesh& mesh, uint32_t triangle) {
+    shared::TriangleNormals packed{};
     const Mesh::Triangle& source = mesh.triangles[triangle];
     if (source.normal[0] == Mesh::kNoNormal)
         return packed;
@@ -120,8 +120,8 @@ gpu::TriangleNormals packTriangleNormals(const Mesh& mesh, uint32_t triangle) {
     return packed;
 }
 
-gpu::TriangleUvs packTriangleUvs(const Mesh& mesh, uint32_t triangle) {
-    gpu::TriangleUvs packed{};
+shared::TriangleUvs packTriangleUvs(const Mesh& mesh, uint32_t triangle) {
+    shared::TriangleUvs packed{};
     const Mesh::Triangle& source = mesh.triangles[triangle];
     if (source.uv[0] == Mesh::kNoUv)
         return packed;
@@ -131,9 +131,9 @@ gpu::TriangleUvs packTriangleUvs(const Mesh& mesh, uint32_t triangle) {
     return packed;
 }
 
-gpu::Quadric packQuadric(const Shape& shape, const glm::dvec3& origin, uint32_t number) {
+shared::Quadric packQuadric(const Shape& shape, const glm::dvec3& origin, uint32_t number) {
     CALOTYPE_CHECK_EQ(std::holds_alternative<Mesh>(shape.geometry), false);
-    gpu::Quadric packed{};
+    shared::Quadric packed{};
     std::visit(
         [&]<typename Geometry>(const Geometry& geometry) {
             if constexpr (!std::is_same_v<Geometry, Mesh>)
@@ -141,27 +141,27 @@ gpu::Quadric packQuadric(const Shape& shape, const glm::dvec3& origin, uint32_t 
         },
         shape.geometry);
     packed.material = shape.material;
-    packed.light = gpu::kNone;
+    packed.light = shared::kNone;
     packed.id = number;
     return packed;
 }
 
-double areaOf(const gpu::Triangle& triangle) {
+double areaOf(const shared::Triangle& triangle) {
     const glm::dvec3 v0(triangle.v0);
     return 0.5 *
            glm::length(glm::cross(glm::dvec3(triangle.v1) - v0, glm::dvec3(triangle.v2) - v0));
 }
 
-double areaOf(const gpu::Quadric& quadric) {
+double areaOf(const shared::Quadric& quadric) {
     constexpr double kPi = std::numbers::pi;
     const double r = quadric.radius;
     const double h = std::abs(quadric.extent);
     switch (quadric.kind) {
-    case gpu::kSphere:
+    case shared::kSphere:
         return 4.0 * kPi * r * r;
-    case gpu::kCylinder:
+    case shared::kCylinder:
         return 2.0 * kPi * r * (h + r);
-    case gpu::kCone:
+    case shared::kCone:
         return kPi * r * (r + std::hypot(r, h));
     default:
         return kPi * r * r;

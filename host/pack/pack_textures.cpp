@@ -12,15 +12,15 @@ constexpr size_t kBytesPerRow = sizeof(glm::uvec4);
 constexpr size_t kMostRows = size_t{1} << 31;
 
 uint32_t flagsOf(const ImageTexture& texture) {
-    uint32_t flags = texture.image->holdsBytes() ? 0 : gpu::kTextureHoldsFloats;
+    uint32_t flags = texture.image->holdsBytes() ? 0 : shared::kTextureHoldsFloats;
     if (texture.decodesColor && texture.image->isEncoded)
-        flags |= gpu::kTextureIsEncoded;
+        flags |= shared::kTextureIsEncoded;
     if (texture.filter == TextureFilter::Nearest)
-        flags |= gpu::kTextureIsNearest;
+        flags |= shared::kTextureIsNearest;
     if (texture.wrap == TextureWrap::Clamp)
-        flags |= gpu::kTextureClamps;
+        flags |= shared::kTextureClamps;
     if (texture.wrap == TextureWrap::Mirror)
-        flags |= gpu::kTextureMirrors;
+        flags |= shared::kTextureMirrors;
     return flags;
 }
 
@@ -34,12 +34,12 @@ uint32_t TexturePacker::add(uint32_t texture) {
     return entry->second;
 }
 
-gpu::Texture TexturePacker::pack(const Texture& texture) {
-    gpu::Texture packed{};
+shared::Texture TexturePacker::pack(const Texture& texture) {
+    shared::Texture packed{};
     packed.scale = glm::vec2(texture.scale);
     packed.offset = glm::vec2(texture.offset);
     if (const auto* checker = std::get_if<CheckerTexture>(&texture.source)) {
-        packed.flags = gpu::kTextureIsChecker;
+        packed.flags = shared::kTextureIsChecker;
         packed.color0 = glm::vec3(checker->colors[0]);
         packed.color1 = glm::vec3(checker->colors[1]);
         return packed;

@@ -21,16 +21,16 @@ public:
     /// The packed index of a texture, which is packed when it is asked for first.
     uint32_t add(uint32_t texture);
 
-    std::vector<gpu::Texture> takePacked() { return std::move(packed_); }
+    std::vector<shared::Texture> takePacked() { return std::move(packed_); }
     /// Rows of 16 bytes: four texels of 8-bit RGBA, or one of four floats.
     std::vector<glm::uvec4> takeTexelRows() { return std::move(rows_); }
 
 private:
-    gpu::Texture pack(const Texture& texture);
+    shared::Texture pack(const Texture& texture);
     uint32_t addTexels(const TexelImage& image);
 
     std::span<const Texture> textures_;
-    std::vector<gpu::Texture> packed_;
+    std::vector<shared::Texture> packed_;
     std::vector<glm::uvec4> rows_;
     std::map<uint32_t, uint32_t> packedIndex_;
     std::map<const TexelImage*, uint32_t> firstRow_;

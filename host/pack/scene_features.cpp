@@ -2,7 +2,7 @@
 
 namespace calotype {
 
-const std::array<std::string_view, gpu::kFeatureCount> kFeatureNames = {
+const std::array<std::string_view, shared::kFeatureCount> kFeatureNames = {
     "triangles",
     "smooth normals",
     "spheres",

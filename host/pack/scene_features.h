@@ -10,13 +10,13 @@ namespace calotype {
 
 /// Which features of the kernel a scene needs, indexed by the identifiers in shared/bindings.h.
 struct SceneFeatures {
-    std::array<bool, gpu::kFeatureCount> enabled{};
+    std::array<bool, shared::kFeatureCount> enabled{};
 
     /// Everything compiled in: the kernel for any scene.
     static SceneFeatures all();
 };
 
 /// Names for people, indexed like SceneFeatures::enabled.
-extern const std::array<std::string_view, gpu::kFeatureCount> kFeatureNames;
+extern const std::array<std::string_view, shared::kFeatureCount> kFeatureNames;
 
 } // namespace calotype

@@ -9,7 +9,7 @@
 namespace calotype {
 namespace {
 
-using gpu::kSamplesPerBlock;
+using shared::kSamplesPerBlock;
 
 constexpr uint32_t kHalves = AdaptiveFilm::kHalves;
 

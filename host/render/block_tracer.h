@@ -32,7 +32,7 @@ public:
     /// Brings the pixels of at most kMostTilesPerDispatch tiles to `sampleEnd` samples of the
     /// block, as far as one call may go: call again for the same while `unfinishedPixels` is not
     /// zero.
-    virtual gpu::RenderCounters renderTiles(TileRange tiles, uint32_t sampleEnd) = 0;
+    virtual shared::RenderCounters renderTiles(TileRange tiles, uint32_t sampleEnd) = 0;
 
     /// The block so far: per pixel, row by row from the top left, the sum of r, g, b, and in w the
     /// number of samples. Valid until the next call.

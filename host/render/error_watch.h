@@ -40,7 +40,7 @@ private:
 };
 
 /// The least samples per pixel that a render may be judged by: one block of every replica.
-inline constexpr uint64_t kFirstLook = uint64_t{gpu::kReplicas} * gpu::kSamplesPerBlock;
+inline constexpr uint64_t kFirstLook = uint64_t{shared::kReplicas} * shared::kSamplesPerBlock;
 
 /// Whether a goal is looked at when the pixels have this number of samples.
 inline bool isLook(uint64_t samplesPerPixel) {

@@ -13,26 +13,26 @@
 namespace calotype {
 namespace {
 
-constexpr uint32_t kPixelsPerTile = gpu::kTileSize * gpu::kTileSize;
+constexpr uint32_t kPixelsPerTile = shared::kTileSize * shared::kTileSize;
 /// 16 MiB of records: far below any device's limit on a storage buffer.
 constexpr uint32_t kMostTilesPerDispatch = 4096;
 
 size_t recordBytes(uint32_t tiles) {
-    return size_t{tiles} * kPixelsPerTile * sizeof(gpu::FirstHitRecord);
+    return size_t{tiles} * kPixelsPerTile * sizeof(shared::FirstHitRecord);
 }
 
 /// Every hit has texture coordinates, which kernels have where there are textures. A scene without
 /// any refers to none, so it does not matter of which kind.
 std::vector<vk::Bool32> constantsFor(const SceneFeatures& features) {
     std::vector<vk::Bool32> constants(features.enabled.begin(), features.enabled.end());
-    constants[gpu::kFeatureColorTextures] = VK_TRUE;
+    constants[shared::kFeatureColorTextures] = VK_TRUE;
     return constants;
 }
 
 std::vector<Binding> withKernelBindings(std::vector<Binding> bindings, const Buffer& camera,
                                         const Buffer& records) {
-    bindings.push_back(Binding::uniformBuffer(gpu::kBindingCamera, camera));
-    bindings.push_back(Binding::storageBuffer(gpu::kBindingFirstHits, records));
+    bindings.push_back(Binding::uniformBuffer(shared::kBindingCamera, camera));
+    bindings.push_back(Binding::storageBuffer(shared::kBindingFirstHits, records));
     return bindings;
 }
 
@@ -56,7 +56,7 @@ FirstHitPass::FirstHitPass(const Device& device, const GpuScene& scene, const Sc
                          .spirv = kFirstHitSpirv,
                          .bindings = withKernelBindings(buffers.bindings(), camera_, records_),
                          .constants = constantsFor(features),
-                         .pushConstantBytes = sizeof(gpu::FirstHitParameters)}) {
+                         .pushConstantBytes = sizeof(shared::FirstHitParameters)}) {
     CALOTYPE_CHECK_EQ(scene.triangleUvs.size(), scene.triangles.size());
 }
 
@@ -80,26 +80,27 @@ FirstHitImage FirstHitPass::run(const std::function<void(double)>& onProgress) {
 }
 
 void FirstHitPass::readTiles(uint32_t first, uint32_t count, FirstHitImage& image) {
-    const std::span<const gpu::FirstHitRecord> records = records_.mapped<gpu::FirstHitRecord>();
+    const std::span<const shared::FirstHitRecord> records =
+        records_.mapped<shared::FirstHitRecord>();
     for (uint32_t tile = 0; tile < count; ++tile) {
-        const uint32_t left = gpu::kTileSize * ((first + tile) % tilesPerRow_);
-        const uint32_t top = gpu::kTileSize * ((first + tile) / tilesPerRow_);
-        const uint32_t right = std::min(left + gpu::kTileSize, image.width);
-        const uint32_t bottom = std::min(top + gpu::kTileSize, image.height);
+        const uint32_t left = shared::kTileSize * ((first + tile) % tilesPerRow_);
+        const uint32_t top = shared::kTileSize * ((first + tile) / tilesPerRow_);
+        const uint32_t right = std::min(left + shared::kTileSize, image.width);
+        const uint32_t bottom = std::min(top + shared::kTileSize, image.height);
         for (uint32_t y = top; y < bottom; ++y)
             for (uint32_t x = left; x < right; ++x) {
-                const uint32_t inTile = gpu::kTileSize * (y - top) + (x - left);
-                const gpu::FirstHitRecord& record = records[kPixelsPerTile * tile + inTile];
+                const uint32_t inTile = shared::kTileSize * (y - top) + (x - left);
+                const shared::FirstHitRecord& record = records[kPixelsPerTile * tile + inTile];
                 image.at(x, y) = toFirstHit(record);
                 cutPixels_ += record.isCut;
             }
     }
 }
 
-FirstHit FirstHitPass::toFirstHit(const gpu::FirstHitRecord& record) const {
-    static_assert(kNoPrimitive == gpu::kNone);
+FirstHit FirstHitPass::toFirstHit(const shared::FirstHitRecord& record) const {
+    static_assert(kNoPrimitive == shared::kNone);
     FirstHit hit;
-    if (record.primitive == gpu::kNone)
+    if (record.primitive == shared::kNone)
         return hit;
     hit.albedo = record.albedo;
     hit.normal = record.normal;
@@ -112,7 +113,7 @@ FirstHit FirstHitPass::toFirstHit(const gpu::FirstHitRecord& record) const {
 
 uint64_t firstHitPassBytes(const RenderSettings& settings) {
     return recordBytes(std::min(countTiles(settings.crop), kMostTilesPerDispatch)) +
-           sizeof(gpu::Camera);
+           sizeof(shared::Camera);
 }
 
 } // namespace calotype

@@ -33,14 +33,14 @@ public:
 private:
     /// Takes a dispatch's records over into the image.
     void readTiles(uint32_t first, uint32_t count, FirstHitImage& image);
-    FirstHit toFirstHit(const gpu::FirstHitRecord& record) const;
+    FirstHit toFirstHit(const shared::FirstHitRecord& record) const;
 
     const Device& device_;
     glm::dvec3 origin_;
     uint32_t tilesPerRow_;
     uint32_t tileCount_;
     uint32_t tilesPerDispatch_;
-    gpu::FirstHitParameters parameters_{};
+    shared::FirstHitParameters parameters_{};
     Buffer camera_;
     Buffer records_;
     ComputePipeline pipeline_;

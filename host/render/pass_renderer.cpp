@@ -9,12 +9,12 @@
 namespace calotype {
 
 PassRenderer::PassRenderer(BlockTracer& tracer, RenderTotals& totals)
-    : tracer_(tracer), totals_(totals), sizer_(gpu::kMostTilesPerDispatch) {}
+    : tracer_(tracer), totals_(totals), sizer_(shared::kMostTilesPerDispatch) {}
 
 void PassRenderer::beginBlock(double pixelsPerTile) {
     losses_ = {};
     if (pixelsPerTile > 1.5 * pixelsPerTile_)
-        sizer_ = DispatchSizer(gpu::kMostTilesPerDispatch);
+        sizer_ = DispatchSizer(shared::kMostTilesPerDispatch);
     pixelsPerTile_ = pixelsPerTile;
 }
 
@@ -27,7 +27,7 @@ std::optional<RenderEnding> PassRenderer::run(uint32_t sampleEnd, const RenderOb
         if (count == 0)
             count = std::min(sizer_.tiles(), tracer_.tileCount() - first);
         const Clock::time_point before = Clock::now();
-        const gpu::RenderCounters counters = tracer_.renderTiles({first, count}, sampleEnd);
+        const shared::RenderCounters counters = tracer_.renderTiles({first, count}, sampleEnd);
         const double seconds = secondsSince(before);
         sizer_.update(count, seconds);
         totals_.seconds += seconds;

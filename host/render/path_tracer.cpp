@@ -11,9 +11,9 @@
 namespace calotype {
 namespace {
 
-gpu::RenderParameters makeParameters(const GpuScene& scene, const RenderSettings& settings,
-                                     uint32_t iterationBudget) {
-    gpu::RenderParameters parameters{};
+shared::RenderParameters makeParameters(const GpuScene& scene, const RenderSettings& settings,
+                                        uint32_t iterationBudget) {
+    shared::RenderParameters parameters{};
     parameters.imageSize = {settings.width, settings.height};
     parameters.cropOrigin = {settings.crop.x, settings.crop.y};
     parameters.cropSize = {settings.crop.width, settings.crop.height};
@@ -28,17 +28,17 @@ gpu::RenderParameters makeParameters(const GpuScene& scene, const RenderSettings
 std::vector<Binding> withKernelBindings(std::vector<Binding> bindings, const Buffer& camera,
                                         const StorageImage& block, const Buffer& counters,
                                         const Buffer& parkedPaths, const Buffer& tileList) {
-    bindings.push_back(Binding::uniformBuffer(gpu::kBindingCamera, camera));
-    bindings.push_back(Binding::storageImage(gpu::kBindingBlock, block));
-    bindings.push_back(Binding::storageBuffer(gpu::kBindingCounters, counters));
-    bindings.push_back(Binding::storageBuffer(gpu::kBindingParkedPaths, parkedPaths));
-    bindings.push_back(Binding::storageBuffer(gpu::kBindingTiles, tileList));
+    bindings.push_back(Binding::uniformBuffer(shared::kBindingCamera, camera));
+    bindings.push_back(Binding::storageImage(shared::kBindingBlock, block));
+    bindings.push_back(Binding::storageBuffer(shared::kBindingCounters, counters));
+    bindings.push_back(Binding::storageBuffer(shared::kBindingParkedPaths, parkedPaths));
+    bindings.push_back(Binding::storageBuffer(shared::kBindingTiles, tileList));
     return bindings;
 }
 
 size_t parkedBytes(const Device& device, const Crop& crop) {
-    return size_t{std::min(countTiles(crop), gpu::kMostTilesPerDispatch)} *
-           device.info().subgroupSize * gpu::kTasksPerLane * sizeof(gpu::ParkedPath);
+    return size_t{std::min(countTiles(crop), shared::kMostTilesPerDispatch)} *
+           device.info().subgroupSize * shared::kTasksPerLane * sizeof(shared::ParkedPath);
 }
 
 size_t tileListBytes(const Crop& crop) { return countTiles(crop) * sizeof(uint32_t); }
@@ -61,7 +61,7 @@ PathTracer::PathTracer(const Device& device, const GpuScene& scene, const SceneB
                 Buffer::Memory::Device, "tiles"),
       camera_(uploadBuffer(device, std::as_bytes(std::span(&scene.camera, 1)),
                            vk::BufferUsageFlagBits::eUniformBuffer, "camera")),
-      counters_(device, sizeof(gpu::RenderCounters), vk::BufferUsageFlagBits::eStorageBuffer,
+      counters_(device, sizeof(shared::RenderCounters), vk::BufferUsageFlagBits::eStorageBuffer,
                 Buffer::Memory::Host, "counters"),
       parkedPaths_(zeroedBuffer(device, parkedBytes(device, settings.crop), "parked paths")),
       pipeline_(device, {.name = "path trace",
@@ -70,7 +70,7 @@ PathTracer::PathTracer(const Device& device, const GpuScene& scene, const SceneB
                                                         counters_, parkedPaths_, tileList_),
                          .constants = specialization(device, features, tuning, settings.sampler,
                                                      settings.transport),
-                         .pushConstantBytes = sizeof(gpu::RenderParameters)}) {
+                         .pushConstantBytes = sizeof(shared::RenderParameters)}) {
     // Some drivers compile at the first dispatch: let that be one without samples.
     beginBlock(0);
     renderTiles({0, 1}, 0);
@@ -82,7 +82,7 @@ void PathTracer::beginBlock(uint32_t firstSample, std::span<const uint8_t> isLef
         block_.clear(device_);
     } else { // as if all of their samples were there
         std::ranges::transform(isLeftOut, pixels_.mapped<glm::vec4>().begin(), [](uint8_t isOut) {
-            return glm::vec4(0.0f, 0.0f, 0.0f, isOut != 0 ? float{gpu::kSamplesPerBlock} : 0.0f);
+            return glm::vec4(0.0f, 0.0f, 0.0f, isOut != 0 ? float{shared::kSamplesPerBlock} : 0.0f);
         });
         block_.copyFrom(device_, pixels_.handle());
     }
@@ -100,7 +100,7 @@ void PathTracer::listTiles(std::span<const uint8_t> isLeftOut) {
         if (isLeftOut[i] == 0) {
             const auto x = static_cast<uint32_t>(i % crop_.width);
             const auto y = static_cast<uint32_t>(i / crop_.width);
-            hasPixels[y / gpu::kTileSize * tilesAlong(crop_.width) + x / gpu::kTileSize] = 1;
+            hasPixels[y / shared::kTileSize * tilesAlong(crop_.width) + x / shared::kTileSize] = 1;
         }
     const uint32_t stride = coprimeStride(count);
     tiles_.clear();
@@ -110,12 +110,12 @@ void PathTracer::listTiles(std::span<const uint8_t> isLeftOut) {
     overwrite(device_, std::as_bytes(std::span(tiles_)), tileList_);
 }
 
-gpu::RenderCounters PathTracer::renderTiles(TileRange tiles, uint32_t sampleEnd) {
-    CALOTYPE_CHECK_LE(tiles.count, gpu::kMostTilesPerDispatch);
+shared::RenderCounters PathTracer::renderTiles(TileRange tiles, uint32_t sampleEnd) {
+    CALOTYPE_CHECK_LE(tiles.count, shared::kMostTilesPerDispatch);
     CALOTYPE_CHECK_LE(tiles.first + tiles.count, tileCount());
     parameters_.firstTile = tiles.first;
     parameters_.sampleEnd = sampleEnd;
-    gpu::RenderCounters& counters = counters_.mapped<gpu::RenderCounters>()[0];
+    shared::RenderCounters& counters = counters_.mapped<shared::RenderCounters>()[0];
     counters = {};
     pipeline_.run(device_, tiles.count, std::as_bytes(std::span(&parameters_, 1)));
     isUnfinished_ = counters.unfinishedPixels > 0;
@@ -128,7 +128,7 @@ std::span<const glm::vec4> PathTracer::readBlock() {
 }
 
 uint64_t pathTracerBytes(const Device& device, const RenderSettings& settings) {
-    return 2 * blockBytes(settings.crop) + sizeof(gpu::Camera) + sizeof(gpu::RenderCounters) +
+    return 2 * blockBytes(settings.crop) + sizeof(shared::Camera) + sizeof(shared::RenderCounters) +
            parkedBytes(device, settings.crop) + tileListBytes(settings.crop);
 }
 

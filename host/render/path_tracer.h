@@ -29,7 +29,7 @@ public:
     uint32_t tileCount() const override { return static_cast<uint32_t>(tiles_.size()); }
     void beginBlock(uint32_t firstSample, std::span<const uint8_t> isLeftOut = {}) override;
     /// One dispatch: it goes as far as the device's loop budget allows.
-    gpu::RenderCounters renderTiles(TileRange tiles, uint32_t sampleEnd) override;
+    shared::RenderCounters renderTiles(TileRange tiles, uint32_t sampleEnd) override;
     std::span<const glm::vec4> readBlock() override;
 
 private:
@@ -39,7 +39,7 @@ private:
     const Device& device_;
     Crop crop_;
     std::vector<uint32_t> tiles_; ///< of the block, in the order in which they are taken
-    gpu::RenderParameters parameters_{};
+    shared::RenderParameters parameters_{};
     StorageImage block_;
     Buffer pixels_;   ///< on their way to the block or from it
     Buffer tileList_; ///< tiles_, for the kernel

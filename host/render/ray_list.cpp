@@ -15,11 +15,11 @@
 namespace calotype {
 namespace {
 
-constexpr uint32_t kPixelsPerTile = gpu::kTileSize * gpu::kTileSize;
+constexpr uint32_t kPixelsPerTile = shared::kTileSize * shared::kTileSize;
 
 /// Runs all groups in dispatches of bounded time; returns the seconds that they took.
 double runGroups(const Device& device, const ComputePipeline& pipeline,
-                 gpu::RayListParameters parameters, DispatchSizer& sizer) {
+                 shared::RayListParameters parameters, DispatchSizer& sizer) {
     using Clock = std::chrono::steady_clock;
     double sum = 0.0;
     for (parameters.firstGroup = 0; parameters.firstGroup < parameters.groupCount;) {
@@ -44,25 +44,25 @@ std::vector<Binding> with(std::vector<Binding> bindings, std::initializer_list<B
 
 } // namespace
 
-std::vector<gpu::ListedRay> listRays(const Device& device, const GpuScene& scene,
-                                     const SceneBuffers& buffers, const RenderSettings& settings,
-                                     RayKind kind) {
+std::vector<shared::ListedRay> listRays(const Device& device, const GpuScene& scene,
+                                        const SceneBuffers& buffers, const RenderSettings& settings,
+                                        RayKind kind) {
     const Crop whole{0, 0, settings.width, settings.height};
     const uint32_t tiles = countTiles(whole);
     const Buffer camera = uploadBuffer(device, std::as_bytes(std::span(&scene.camera, 1)),
                                        vk::BufferUsageFlagBits::eUniformBuffer, "camera of rays");
-    const Buffer rays(device, size_t{tiles} * kPixelsPerTile * sizeof(gpu::ListedRay),
+    const Buffer rays(device, size_t{tiles} * kPixelsPerTile * sizeof(shared::ListedRay),
                       vk::BufferUsageFlagBits::eStorageBuffer, Buffer::Memory::Host, "rays");
     const ComputePipeline pipeline(
-        device,
-        {.name = "list rays",
-         .spirv = kListRaysSpirv,
-         .bindings = with(buffers.bindings(), {Binding::uniformBuffer(gpu::kBindingCamera, camera),
-                                               Binding::storageBuffer(gpu::kBindingRays, rays)}),
-         .constants = specialization(device, scene.features, std::nullopt, settings.sampler,
-                                     settings.transport),
-         .pushConstantBytes = sizeof(gpu::RayListParameters)});
-    gpu::RayListParameters parameters{};
+        device, {.name = "list rays",
+                 .spirv = kListRaysSpirv,
+                 .bindings = with(buffers.bindings(),
+                                  {Binding::uniformBuffer(shared::kBindingCamera, camera),
+                                   Binding::storageBuffer(shared::kBindingRays, rays)}),
+                 .constants = specialization(device, scene.features, std::nullopt, settings.sampler,
+                                             settings.transport),
+                 .pushConstantBytes = sizeof(shared::RayListParameters)});
+    shared::RayListParameters parameters{};
     parameters.imageSize = {settings.width, settings.height};
     parameters.groupCount = tiles;
     parameters.isShadow = kind.isShadow ? 1 : 0;
@@ -72,29 +72,31 @@ std::vector<gpu::ListedRay> listRays(const Device& device, const GpuScene& scene
     parameters.iterationBudget = loopBudget(device);
     DispatchSizer sizer(mostGroups(device));
     runGroups(device, pipeline, parameters, sizer);
-    std::vector<gpu::ListedRay> listed;
-    std::ranges::copy_if(rays.mapped<gpu::ListedRay>(), std::back_inserter(listed),
-                         [](const gpu::ListedRay& ray) { return ray.tMax > 0.0f; });
+    std::vector<shared::ListedRay> listed;
+    std::ranges::copy_if(rays.mapped<shared::ListedRay>(), std::back_inserter(listed),
+                         [](const shared::ListedRay& ray) { return ray.tMax > 0.0f; });
     return listed;
 }
 
 RayListTracer::RayListTracer(const Device& device, const GpuScene& scene,
-                             const SceneBuffers& buffers, std::span<const gpu::ListedRay> rays,
+                             const SceneBuffers& buffers, std::span<const shared::ListedRay> rays,
                              RayKind kind)
     : device_(device), sizer_(mostGroups(device)),
       rays_(uploadBuffer(device, std::as_bytes(rays), vk::BufferUsageFlagBits::eStorageBuffer,
                          "rays")),
-      hits_(device, rays.size() * sizeof(gpu::ListedHit), vk::BufferUsageFlagBits::eStorageBuffer,
-            Buffer::Memory::Host, "hits of rays"),
-      pipeline_(device, {.name = "trace rays",
-                         .spirv = kTraceRaysSpirv,
-                         .bindings = with(buffers.bindings(),
-                                          {Binding::storageBuffer(gpu::kBindingRays, rays_),
-                                           Binding::storageBuffer(gpu::kBindingListedHits, hits_)}),
-                         .constants = specialization(device, scene.features),
-                         .pushConstantBytes = sizeof(gpu::RayListParameters)}) {
+      hits_(device, rays.size() * sizeof(shared::ListedHit),
+            vk::BufferUsageFlagBits::eStorageBuffer, Buffer::Memory::Host, "hits of rays"),
+      pipeline_(device,
+                {.name = "trace rays",
+                 .spirv = kTraceRaysSpirv,
+                 .bindings = with(buffers.bindings(),
+                                  {Binding::storageBuffer(shared::kBindingRays, rays_),
+                                   Binding::storageBuffer(shared::kBindingListedHits, hits_)}),
+                 .constants = specialization(device, scene.features),
+                 .pushConstantBytes = sizeof(shared::RayListParameters)}) {
     parameters_.rayCount = static_cast<uint32_t>(rays.size());
-    parameters_.groupCount = (parameters_.rayCount + gpu::kRaysPerGroup - 1) / gpu::kRaysPerGroup;
+    parameters_.groupCount =
+        (parameters_.rayCount + shared::kRaysPerGroup - 1) / shared::kRaysPerGroup;
     parameters_.groupStride = coprimeStride(parameters_.groupCount);
     parameters_.isShadow = kind.isShadow ? 1 : 0;
     parameters_.iterationBudget = loopBudget(device);

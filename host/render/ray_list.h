@@ -24,9 +24,9 @@ struct RayKind {
 
 /// Those of the picture's first sample that are of a kind, tile by tile; pixels whose path has no
 /// such ray are left out.
-std::vector<gpu::ListedRay> listRays(const Device& device, const GpuScene& scene,
-                                     const SceneBuffers& buffers, const RenderSettings& settings,
-                                     RayKind kind);
+std::vector<shared::ListedRay> listRays(const Device& device, const GpuScene& scene,
+                                        const SceneBuffers& buffers, const RenderSettings& settings,
+                                        RayKind kind);
 
 /// A list of rays on the device, for the traversal alone. Shadow rays look for any hit, others for
 /// the closest.
@@ -34,18 +34,18 @@ class RayListTracer {
 public:
     /// `rays` must not be empty; the scene's buffers must outlive this.
     RayListTracer(const Device& device, const GpuScene& scene, const SceneBuffers& buffers,
-                  std::span<const gpu::ListedRay> rays, RayKind kind);
+                  std::span<const shared::ListedRay> rays, RayKind kind);
 
     /// Traces all rays; returns the seconds it took.
     double trace();
 
     /// What the rays met, in their order; valid until the next call of `trace`.
-    std::span<const gpu::ListedHit> hits() const { return hits_.mapped<gpu::ListedHit>(); }
+    std::span<const shared::ListedHit> hits() const { return hits_.mapped<shared::ListedHit>(); }
 
 private:
     const Device& device_;
     DispatchSizer sizer_;
-    gpu::RayListParameters parameters_{};
+    shared::RayListParameters parameters_{};
     Buffer rays_;
     Buffer hits_;
     ComputePipeline pipeline_;

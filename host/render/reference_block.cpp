@@ -9,7 +9,7 @@
 namespace calotype {
 namespace {
 
-void add(gpu::RenderCounters& sum, const gpu::RenderCounters& counters) {
+void add(shared::RenderCounters& sum, const shared::RenderCounters& counters) {
     sum.rays += counters.rays;
     sum.paths += counters.paths;
     sum.nonFiniteSamples += counters.nonFiniteSamples;
@@ -29,15 +29,15 @@ void ReferenceBlock::beginBlock(uint32_t firstSample, std::span<const uint8_t> i
     firstSample_ = firstSample;
     std::ranges::fill(pixels_, Pixel{});
     for (size_t i = 0; i < isLeftOut.size(); ++i)
-        pixels_[i].sampleCount = isLeftOut[i] != 0 ? gpu::kSamplesPerBlock : 0;
+        pixels_[i].sampleCount = isLeftOut[i] != 0 ? shared::kSamplesPerBlock : 0;
 }
 
-gpu::RenderCounters ReferenceBlock::renderTiles(TileRange tiles, uint32_t sampleEnd) {
+shared::RenderCounters ReferenceBlock::renderTiles(TileRange tiles, uint32_t sampleEnd) {
     constexpr auto kLongest = std::chrono::milliseconds(200); // so that interrupts are heard
-    constexpr uint32_t kPixelsPerTile = gpu::kTileSize * gpu::kTileSize;
+    constexpr uint32_t kPixelsPerTile = shared::kTileSize * shared::kTileSize;
     const auto deadline = std::chrono::steady_clock::now() + kLongest;
     const Crop& crop = settings_.crop;
-    std::vector<gpu::RenderCounters> counters(threads_, gpu::RenderCounters{});
+    std::vector<shared::RenderCounters> counters(threads_, shared::RenderCounters{});
     const uint64_t first = uint64_t{tiles.first} * kPixelsPerTile;
     parallelFor(first, first + uint64_t{tiles.count} * kPixelsPerTile, threads_,
                 [&](uint64_t index, uint32_t thread) {
@@ -46,20 +46,20 @@ gpu::RenderCounters ReferenceBlock::renderTiles(TileRange tiles, uint32_t sample
                     const glm::uvec2 corner(tile % tilesAlong(crop.width),
                                             tile / tilesAlong(crop.width));
                     const glm::uvec2 position =
-                        gpu::kTileSize * corner +
-                        glm::uvec2(inTile % gpu::kTileSize, inTile / gpu::kTileSize);
+                        shared::kTileSize * corner +
+                        glm::uvec2(inTile % shared::kTileSize, inTile / shared::kTileSize);
                     if (position.x < crop.width && position.y < crop.height)
                         renderPixel(position, sampleEnd, deadline, counters[thread]);
                 });
-    gpu::RenderCounters sum{};
-    for (const gpu::RenderCounters& part : counters)
+    shared::RenderCounters sum{};
+    for (const shared::RenderCounters& part : counters)
         add(sum, part);
     return sum;
 }
 
 void ReferenceBlock::renderPixel(glm::uvec2 position, uint32_t sampleEnd,
                                  std::chrono::steady_clock::time_point deadline,
-                                 gpu::RenderCounters& counters) {
+                                 shared::RenderCounters& counters) {
     const Crop& crop = settings_.crop;
     Pixel& pixel = pixels_[size_t{position.y} * crop.width + position.x];
     for (; pixel.sampleCount < sampleEnd; ++pixel.sampleCount) {

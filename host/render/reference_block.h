@@ -21,7 +21,7 @@ public:
     uint32_t tileCount() const override;
     void beginBlock(uint32_t firstSample, std::span<const uint8_t> isLeftOut = {}) override;
     /// For about a fifth of a second.
-    gpu::RenderCounters renderTiles(TileRange tiles, uint32_t sampleEnd) override;
+    shared::RenderCounters renderTiles(TileRange tiles, uint32_t sampleEnd) override;
     std::span<const glm::vec4> readBlock() override;
 
 private:
@@ -33,7 +33,8 @@ private:
     /// Brings a pixel to `sampleEnd` samples, or as far as it gets by `deadline`, but takes one
     /// sample at least if the counters know of none.
     void renderPixel(glm::uvec2 position, uint32_t sampleEnd,
-                     std::chrono::steady_clock::time_point deadline, gpu::RenderCounters& counters);
+                     std::chrono::steady_clock::time_point deadline,
+                     shared::RenderCounters& counters);
 
     const reference::ReferenceTracer& tracer_;
     RenderSettings settings_;

@@ -9,7 +9,7 @@
 namespace calotype {
 namespace {
 
-using gpu::kSamplesPerBlock;
+using shared::kSamplesPerBlock;
 
 /// Where the pass ends that begins with `done` samples in every pixel: the first doubles, none
 /// crosses the end of a block, the last sample, or a multiple of `passSamples`.

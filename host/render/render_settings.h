@@ -19,7 +19,7 @@ struct RenderSettings {
     uint32_t width = 0; ///< of the whole film, pixels
     uint32_t height = 0;
     Crop crop;                ///< what is rendered of it; within the film, not empty
-    uint32_t firstSample = 0; ///< absolute index; a multiple of gpu::kSamplesPerBlock
+    uint32_t firstSample = 0; ///< absolute index; a multiple of shared::kSamplesPerBlock
     uint32_t samplesPerPixel = 0;
     uint32_t maxBounces = 0;
     uint32_t seed = 0;

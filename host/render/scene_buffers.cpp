@@ -28,16 +28,16 @@ SceneBuffers::SceneBuffers(const Device& device, const GpuScene& scene)
 
 std::vector<Binding> SceneBuffers::bindings() const {
     return {
-        Binding::texelBuffer(gpu::kBindingNodes, nodes_),
-        Binding::texelBuffer(gpu::kBindingTriangles, triangles_),
-        Binding::texelBuffer(gpu::kBindingTriangleNormals, triangleNormals_),
-        Binding::texelBuffer(gpu::kBindingTriangleUvs, triangleUvs_),
-        Binding::texelBuffer(gpu::kBindingQuadrics, quadrics_),
-        Binding::texelBuffer(gpu::kBindingMaterials, materials_),
-        Binding::texelBuffer(gpu::kBindingTextures, textures_),
-        Binding::texelBuffer(gpu::kBindingTexels, texelRows_),
-        Binding::texelBuffer(gpu::kBindingLights, lights_),
-        Binding::texelBuffer(gpu::kBindingFilter, filterQuantiles_),
+        Binding::texelBuffer(shared::kBindingNodes, nodes_),
+        Binding::texelBuffer(shared::kBindingTriangles, triangles_),
+        Binding::texelBuffer(shared::kBindingTriangleNormals, triangleNormals_),
+        Binding::texelBuffer(shared::kBindingTriangleUvs, triangleUvs_),
+        Binding::texelBuffer(shared::kBindingQuadrics, quadrics_),
+        Binding::texelBuffer(shared::kBindingMaterials, materials_),
+        Binding::texelBuffer(shared::kBindingTextures, textures_),
+        Binding::texelBuffer(shared::kBindingTexels, texelRows_),
+        Binding::texelBuffer(shared::kBindingLights, lights_),
+        Binding::texelBuffer(shared::kBindingFilter, filterQuantiles_),
     };
 }
 

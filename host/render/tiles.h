@@ -8,9 +8,9 @@
 
 namespace calotype {
 
-/// Square tiles of gpu::kTileSize pixels a side that cover so many pixels of a row or column.
+/// Square tiles of shared::kTileSize pixels a side that cover so many pixels of a row or column.
 inline uint32_t tilesAlong(uint32_t pixels) {
-    return (pixels + gpu::kTileSize - 1) / gpu::kTileSize;
+    return (pixels + shared::kTileSize - 1) / shared::kTileSize;
 }
 
 /// Those that cover the crop, counted row by row.

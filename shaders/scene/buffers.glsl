@@ -88,8 +88,8 @@ Light loadLight(uint index) {
     uvec4 row0 = texelFetch(lightRows, int(3u * index));
     uvec4 row1 = texelFetch(lightRows, int(3u * index + 1u));
     uvec4 row2 = texelFetch(lightRows, int(3u * index + 2u));
-    return Light(floats(row0), row0.w, uintBitsToFloat(row1.x), uintBitsToFloat(row1.y),
-                 row1.z, row1.w, row2.x, row2.y, row2.z, row2.w);
+    return Light(floats(row0), row0.w, uintBitsToFloat(row1.x), uintBitsToFloat(row1.y), row1.z,
+                 row1.w, row2.x, row2.y, row2.z, row2.w);
 }
 
 /// Entry `step` of the table of the film filter's quantiles.

@@ -24,7 +24,7 @@ using namespace calotype;
 
 class EmbreeScene {
 public:
-    explicit EmbreeScene(const std::vector<gpu::Triangle>& triangles)
+    explicit EmbreeScene(const std::vector<shared::Triangle>& triangles)
         : device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_)) {
         const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
         auto* vertices = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
@@ -51,7 +51,7 @@ public:
     EmbreeScene& operator=(const EmbreeScene&) = delete;
 
     /// Traces all rays on all cores; returns the seconds it took, and counts the hits.
-    double trace(const std::vector<gpu::ListedRay>& rays, bool anyHit, uint64_t& hits) const {
+    double trace(const std::vector<shared::ListedRay>& rays, bool anyHit, uint64_t& hits) const {
         constexpr size_t kRaysAtATime = 1024;
         std::atomic<size_t> next = 0;
         std::atomic<uint64_t> hitCount = 0;
@@ -76,7 +76,7 @@ public:
     }
 
 private:
-    static RTCRay rayOf(const gpu::ListedRay& listed) {
+    static RTCRay rayOf(const shared::ListedRay& listed) {
         RTCRay ray{};
         ray.org_x = listed.origin.x;
         ray.org_y = listed.origin.y;
@@ -89,7 +89,7 @@ private:
         return ray;
     }
 
-    bool hitsAnything(const gpu::ListedRay& listed) const {
+    bool hitsAnything(const shared::ListedRay& listed) const {
         RTCIntersectContext context;
         rtcInitIntersectContext(&context);
         RTCRayHit ray{};
@@ -99,7 +99,7 @@ private:
         return ray.hit.geomID != RTC_INVALID_GEOMETRY_ID;
     }
 
-    bool isOccluded(const gpu::ListedRay& listed) const {
+    bool isOccluded(const shared::ListedRay& listed) const {
         RTCIntersectContext context;
         rtcInitIntersectContext(&context);
         RTCRay ray = rayOf(listed);
@@ -120,7 +120,7 @@ struct Workload {
 nlohmann::ordered_json compare(const Workload& workload, const DeviceEngine& engine,
                                const EmbreeScene& embree, const RenderSettings& settings,
                                uint32_t rounds) {
-    std::vector<std::vector<gpu::ListedRay>> lists;
+    std::vector<std::vector<shared::ListedRay>> lists;
     std::vector<RayListTracer> tracers;
     uint64_t count = 0;
     for (const RayKind& kind : workload.kinds) {
@@ -150,8 +150,8 @@ nlohmann::ordered_json compare(const Workload& workload, const DeviceEngine& eng
         theirs.push_back(1e-6 * static_cast<double>(count) / theirSeconds);
     }
     for (const RayListTracer& tracer : tracers)
-        for (const gpu::ListedHit& hit : tracer.hits())
-            ourHits += hit.primitive != gpu::kNone ? 1 : 0;
+        for (const shared::ListedHit& hit : tracer.hits())
+            ourHits += hit.primitive != shared::kNone ? 1 : 0;
     const Spread our = spreadOf(ours);
     const Spread their = spreadOf(theirs);
     return {{"rays", count},

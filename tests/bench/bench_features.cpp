@@ -47,28 +47,28 @@ struct Row {
 /// floor.
 std::optional<Scene> without(uint32_t feature, Scene scene) {
     switch (feature) {
-    case gpu::kFeatureGgx:
-    case gpu::kFeatureMirrors:
-    case gpu::kFeatureBlinnPhong:
-    case gpu::kFeatureDielectrics:
+    case shared::kFeatureGgx:
+    case shared::kFeatureMirrors:
+    case shared::kFeatureBlinnPhong:
+    case shared::kFeatureDielectrics:
         for (Material& material : scene.materials)
             material.type = MaterialType::Diffuse;
         return scene;
-    case gpu::kFeatureSphereLights:
-    case gpu::kFeatureCylinderLights:
-    case gpu::kFeatureConeLights:
-    case gpu::kFeatureDiskLights:
+    case shared::kFeatureSphereLights:
+    case shared::kFeatureCylinderLights:
+    case shared::kFeatureConeLights:
+    case shared::kFeatureDiskLights:
         scene.materials.back().emission = glm::dvec3(0.0);
         return scene;
-    case gpu::kFeatureManyQuadrics: // one small ball instead
+    case shared::kFeatureManyQuadrics: // one small ball instead
         scene.shapes.resize(litFloor().scene().shapes.size() + 1);
         std::get<Sphere>(scene.shapes.back().geometry).radius = 0.1;
         return scene;
-    case gpu::kFeatureHiddenLights:
+    case shared::kFeatureHiddenLights:
         for (Material& material : scene.materials)
             material.visibleToCamera = true;
         return scene;
-    case gpu::kFeatureOrthographic:
+    case shared::kFeatureOrthographic:
         scene.camera.projection = Projection::Perspective;
         return scene;
     default:
@@ -85,9 +85,10 @@ Row rowOf(uint32_t feature, SceneBuilder base, const SceneChange& change) {
 /// A row for each feature, the lit floor's own ones beside the lit ball.
 std::vector<Row> rows() {
     std::vector<Row> rows = {
-        rowOf(gpu::kFeatureTriangles, litBall(), [](SceneBuilder& b) { addRectangle(b, 0); }),
-        rowOf(gpu::kFeatureTriangleLights, litBall(), [](SceneBuilder& b) { addRectangle(b, 1); }),
-        rowOf(gpu::kFeatureDiffuse, litBall(),
+        rowOf(shared::kFeatureTriangles, litBall(), [](SceneBuilder& b) { addRectangle(b, 0); }),
+        rowOf(shared::kFeatureTriangleLights, litBall(),
+              [](SceneBuilder& b) { addRectangle(b, 1); }),
+        rowOf(shared::kFeatureDiffuse, litBall(),
               [](SceneBuilder& b) { b.scene().materials[0].type = MaterialType::Diffuse; })};
     const auto isThere = [&](uint32_t feature) {
         return std::ranges::any_of(rows, [&](const Row& row) { return row.feature == feature; });

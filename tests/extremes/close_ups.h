@@ -14,29 +14,29 @@ namespace calotype::test {
 
 /// Upright and turned ones of three scales about the world's origin, where positions are as fine as
 /// they can be.
-inline std::vector<gpu::Quadric> closeUpQuadrics(uint32_t kind, double proportion,
-                                                 RandomNumbers& random) {
-    std::vector<gpu::Quadric> quadrics = variedQuadrics(kind, random, proportion);
-    for (gpu::Quadric& quadric : quadrics)
+inline std::vector<shared::Quadric> closeUpQuadrics(uint32_t kind, double proportion,
+                                                    RandomNumbers& random) {
+    std::vector<shared::Quadric> quadrics = variedQuadrics(kind, random, proportion);
+    for (shared::Quadric& quadric : quadrics)
         quadric.center = glm::vec3(0.0f);
     return quadrics;
 }
 
 /// The smallest measure of a cylinder or a cone.
-inline double thinnestOf(const gpu::Quadric& quadric) {
+inline double thinnestOf(const shared::Quadric& quadric) {
     return std::min(double(quadric.radius), std::abs(double(quadric.extent)));
 }
 
 /// A ray onto a random point of the surface, steeply, from as far off it as the quadric is thin.
-inline gpu::TestRay closeUpRay(const std::vector<gpu::Quadric>& quadrics, uint32_t index,
-                               RandomNumbers& random) {
-    const gpu::Quadric& quadric = quadrics[index];
+inline shared::TestRay closeUpRay(const std::vector<shared::Quadric>& quadrics, uint32_t index,
+                                  RandomNumbers& random) {
+    const shared::Quadric& quadric = quadrics[index];
     const LocalPoint point = randomSurfacePoint(quadric, random);
     const glm::dvec3 outward =
         thinnestOf(quadric) * glm::normalize(point.normal + 0.7 * random.inBall());
     const glm::dvec3 target = worldPoint(quadric, point.position);
     const glm::dvec3 origin = worldPoint(quadric, point.position + outward);
-    return testRay(origin, glm::normalize(target - origin), index | gpu::kQuadricBit);
+    return testRay(origin, glm::normalize(target - origin), index | shared::kQuadricBit);
 }
 
 /// "1eminus5" and the like, for names of tests.

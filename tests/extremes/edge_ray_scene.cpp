@@ -11,7 +11,7 @@ namespace {
 
 constexpr uint32_t kGroups = 512;
 constexpr uint32_t kBatches = kGroups * 64;
-constexpr uint64_t kRaysPerDispatch = uint64_t{kBatches} * gpu::kRaysPerEdgeBatch;
+constexpr uint64_t kRaysPerDispatch = uint64_t{kBatches} * shared::kRaysPerEdgeBatch;
 
 Buffer hostBuffer(size_t bytes, const char* name) {
     return Buffer(testDevice(), bytes, vk::BufferUsageFlagBits::eStorageBuffer,
@@ -20,12 +20,12 @@ Buffer hostBuffer(size_t bytes, const char* name) {
 
 std::vector<Binding> withArrays(std::vector<Binding> bindings, const Buffer& in,
                                 const Buffer& out) {
-    bindings.push_back(Binding::storageBuffer(gpu::kBindingEdgeBatches, in));
-    bindings.push_back(Binding::storageBuffer(gpu::kBindingEdgeEscapes, out));
+    bindings.push_back(Binding::storageBuffer(shared::kBindingEdgeBatches, in));
+    bindings.push_back(Binding::storageBuffer(shared::kBindingEdgeEscapes, out));
     return bindings;
 }
 
-std::string describe(const gpu::EdgeEscapes& escapes) {
+std::string describe(const shared::EdgeEscapes& escapes) {
     std::ostringstream text;
     text.precision(9);
     for (const glm::vec3& v : {escapes.origin, escapes.direction})
@@ -37,8 +37,8 @@ std::string describe(const gpu::EdgeEscapes& escapes) {
 
 EdgeRayScene::EdgeRayScene(const GpuScene& packed, const glm::dvec3& center, Directions directions)
     : sceneBuffers_(testDevice(), packed),
-      batches_(hostBuffer(kBatches * sizeof(gpu::EdgeBatch), "edge batches")),
-      escapes_(hostBuffer(kBatches * sizeof(gpu::EdgeEscapes), "edge escapes")),
+      batches_(hostBuffer(kBatches * sizeof(shared::EdgeBatch), "edge batches")),
+      escapes_(hostBuffer(kBatches * sizeof(shared::EdgeEscapes), "edge escapes")),
       pipeline_(testDevice(),
                 {.name = "edge rays",
                  .spirv = kEdgeRaysSpirv,
@@ -58,11 +58,11 @@ EdgeRayScene::Escapes EdgeRayScene::cast(uint64_t rays) const {
 }
 
 void EdgeRayScene::addDispatch(uint32_t seed, Escapes& escapes) const {
-    gpu::EdgeBatch batch = batch_;
+    shared::EdgeBatch batch = batch_;
     batch.seed = seed;
-    std::ranges::fill(batches_.mapped<gpu::EdgeBatch>(), batch);
+    std::ranges::fill(batches_.mapped<shared::EdgeBatch>(), batch);
     pipeline_.run(testDevice(), kGroups);
-    for (const gpu::EdgeEscapes& result : escapes_.mapped<gpu::EdgeEscapes>()) {
+    for (const shared::EdgeEscapes& result : escapes_.mapped<shared::EdgeEscapes>()) {
         escapes.count += result.count;
         escapes.mostIterations = std::max(escapes.mostIterations, result.iterations);
         if (result.count > 0)

@@ -34,7 +34,7 @@ public:
 private:
     void addDispatch(uint32_t seed, Escapes& escapes) const;
 
-    gpu::EdgeBatch batch_{};
+    shared::EdgeBatch batch_{};
     SceneBuffers sceneBuffers_;
     Buffer batches_;
     Buffer escapes_;

@@ -27,14 +27,14 @@ glm::dvec3 anyView(RandomNumbers& random) {
 /// Unit again after rounding to float.
 glm::dvec3 unit(const glm::vec3& v) { return glm::normalize(glm::dvec3(v)); }
 
-bool isFinite(const gpu::TestScattered& r) {
+bool isFinite(const shared::TestScattered& r) {
     return std::isfinite(r.wi.x + r.wi.y + r.wi.z + r.pdf) &&
            std::isfinite(r.weight.x + r.weight.y + r.weight.z + r.pdfAgain) &&
            std::isfinite(r.value.x + r.value.y + r.value.z) &&
            std::isfinite(r.given.x + r.given.y + r.given.z + r.givenPdf);
 }
 
-std::string describe(const Material& material, const gpu::TestScattering& event) {
+std::string describe(const Material& material, const shared::TestScattering& event) {
     std::ostringstream text;
     text.precision(9);
     const auto put = [&](const char* name, const glm::vec3& v) {
@@ -83,9 +83,9 @@ Band allowedFactors(const Material& material, const glm::dvec3& wo, const glm::d
 }
 
 /// Pairs of directions where the lobe is: half vectors spread over eight of its widths.
-std::vector<gpu::TestScattering> eventsAcross(const Material& material, double lobeWidth,
-                                              size_t count, RandomNumbers& random) {
-    std::vector<gpu::TestScattering> events;
+std::vector<shared::TestScattering> eventsAcross(const Material& material, double lobeWidth,
+                                                 size_t count, RandomNumbers& random) {
+    std::vector<shared::TestScattering> events;
     while (events.size() < count) {
         const glm::dvec3 wo = anyView(random);
         const double tangent = lobeWidth * random.between(0.0, 8.0);
@@ -100,8 +100,8 @@ std::vector<gpu::TestScattering> eventsAcross(const Material& material, double l
     return events;
 }
 
-double neededRoundoffs(const Material& material, const gpu::TestScattering& event,
-                       const gpu::TestScattered& answer) {
+double neededRoundoffs(const Material& material, const shared::TestScattering& event,
+                       const shared::TestScattered& answer) {
     constexpr double kNegligible = 1e-30; // of a value or a density: where floats underflow
     const glm::dvec3 wo = unit(event.wo);
     const glm::dvec3 wi = unit(event.wi);
@@ -128,11 +128,11 @@ float numberOrEnd(RandomNumbers& random) {
     return kind == 0 ? 0.0f : kind == 1 ? kLargest : random.deviceUnit();
 }
 
-std::vector<gpu::TestScattering> eventsAnywhere(const Material& material, SurfaceFrame frame,
-                                                size_t count, RandomNumbers& random) {
-    std::vector<gpu::TestScattering> events;
+std::vector<shared::TestScattering> eventsAnywhere(const Material& material, SurfaceFrame frame,
+                                                   size_t count, RandomNumbers& random) {
+    std::vector<shared::TestScattering> events;
     for (size_t i = 0; i < count; ++i) {
-        gpu::TestScattering event = scatteringOn(material, anyView(random));
+        shared::TestScattering event = scatteringOn(material, anyView(random));
         if (frame == SurfaceFrame::Turned) {
             const glm::dvec3 ng = random.direction();
             const glm::dvec3 tangent = glm::normalize(glm::cross(ng, random.direction()));
@@ -148,7 +148,7 @@ std::vector<gpu::TestScattering> eventsAnywhere(const Material& material, Surfac
     return events;
 }
 
-reference::Bsdf referenceBsdf(const Material& material, const gpu::TestScattering& event) {
+reference::Bsdf referenceBsdf(const Material& material, const shared::TestScattering& event) {
     reference::Surface surface{};
     surface.ng = surface.ns = surface.horizon = unit(event.ng);
     return {material, {}, surface, unit(event.wo)};
@@ -165,8 +165,8 @@ double weightAt(const reference::Bsdf& bsdf, const reference::Bsdf::Sample& scat
 
 /// Whether two samples of a view go the same way, if they go anywhere: to a tenth of the lobe's
 /// width and of how far they are from the mirror's direction.
-bool agree(const gpu::TestScattering& event, double lobeWidth, const gpu::TestScattered& answer,
-           const reference::Bsdf::Sample& wanted) {
+bool agree(const shared::TestScattering& event, double lobeWidth,
+           const shared::TestScattered& answer, const reference::Bsdf::Sample& wanted) {
     const bool leaves = answer.weight.x > 0.0f;
     const glm::dvec3 mirrored = glm::reflect(-unit(event.wo), unit(event.ng));
     const double near = 0.1 * (lobeWidth + glm::distance(wanted.wi, mirrored));
@@ -176,7 +176,7 @@ bool agree(const gpu::TestScattering& event, double lobeWidth, const gpu::TestSc
 
 /// Whether the reference agrees with the answer for some view and numbers near the event's.
 bool isExplainedByRounding(const Material& material, double lobeWidth,
-                           const gpu::TestScattering& event, const gpu::TestScattered& answer,
+                           const shared::TestScattering& event, const shared::TestScattered& answer,
                            RandomNumbers& random) {
     constexpr int kTries = 1000;
     constexpr double kNear = 8.0 * kRoundoffOfFloat;
@@ -219,7 +219,7 @@ double sensitivity(double chance) {
 void addValues(const Material& material, double lobeWidth, size_t count, RandomNumbers& random,
                LobeErrors& errors) {
     const auto events = eventsAcross(material, lobeWidth, count, random);
-    const auto answers = runKernel<gpu::TestScattered>(kScatteringSpirv, events);
+    const auto answers = runKernel<shared::TestScattered>(kScatteringSpirv, events);
     errors.events += events.size();
     for (size_t i = 0; i < events.size(); ++i) {
         errors.notFinite += isFinite(answers[i]) ? 0 : 1;
@@ -235,7 +235,7 @@ void addSamples(const Material& material, double lobeWidth, SurfaceFrame frame, 
                 RandomNumbers& random, LobeErrors& errors) {
     constexpr double kResolved = 1e-3;
     const auto events = eventsAnywhere(material, frame, count, random);
-    const auto answers = runKernel<gpu::TestScattered>(kScatteringSpirv, events);
+    const auto answers = runKernel<shared::TestScattered>(kScatteringSpirv, events);
     errors.events += events.size();
     double difference = 0.0;
     for (size_t i = 0; i < events.size(); ++i) {

@@ -107,7 +107,7 @@ TEST_F(LongPathTest, RaysVisitAsManyQuadricsAsPassesAreLeft) {
     builder.lookAtPlaneZ(1.0);
     scene.camera.position = {0.6, -0.4, 5.0}; // clear of the diagonal itself
     const RenderedScene result = renderScene(scene);
-    EXPECT_FALSE(result.needed.enabled[gpu::kFeatureManyQuadrics]);
+    EXPECT_FALSE(result.needed.enabled[shared::kFeatureManyQuadrics]);
     EXPECT_EQ(result.totals.losses.cutPaths, 0u);
     for (const glm::vec3& pixel : result.image.pixels)
         EXPECT_EQ(pixel.x, 1.0f);

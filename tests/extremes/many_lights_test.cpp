@@ -90,8 +90,8 @@ TEST_F(ManyLightsTest, EachNumberChoosesTheLightThatTheTableSays) {
             .packed;
     const uint64_t count = packed.lightCount;
     ASSERT_EQ(count, kAcross * kAcross);
-    std::vector<gpu::TestLightQuery> queries;
-    std::vector<gpu::TestLightChoice> expected;
+    std::vector<shared::TestLightQuery> queries;
+    std::vector<shared::TestLightChoice> expected;
     const auto add = [&](uint64_t number, uint32_t light, double within, uint64_t first,
                          uint64_t run) {
         const float u = static_cast<float>(number) * 0x1p-24f;
@@ -102,7 +102,7 @@ TEST_F(ManyLightsTest, EachNumberChoosesTheLightThatTheTableSays) {
     for (uint64_t column = 0; column < count; ++column) {
         const uint64_t first = (column * kNumbers + count - 1) / count;
         const uint64_t end = ((column + 1) * kNumbers + count - 1) / count;
-        const gpu::Light& light = packed.lights[column];
+        const shared::Light& light = packed.lights[column];
         const uint64_t border = first + light.ownNumbers;
         ASSERT_LE(border, end);
         for (const double within : {0.0, 0.75}) {
@@ -115,8 +115,8 @@ TEST_F(ManyLightsTest, EachNumberChoosesTheLightThatTheTableSays) {
         }
     }
     const SceneBuffers buffers(testDevice(), packed);
-    const auto choices = runKernel<gpu::TestLightChoice>(kChooseLightSpirv, queries,
-                                                         buffers.bindings(), kTestInputBinding);
+    const auto choices = runKernel<shared::TestLightChoice>(kChooseLightSpirv, queries,
+                                                            buffers.bindings(), kTestInputBinding);
     for (size_t i = 0; i < choices.size(); ++i) {
         ASSERT_EQ(choices[i].light, expected[i].light) << i;
         ASSERT_LT(choices[i].u, 1.0f);

@@ -38,16 +38,16 @@ LongRender render(const Scene& scene, uint32_t samples) {
     settings.maxBounces = scene.render.maxBounces;
     DeviceTracer device(scene, settings);
     LongRender result{Film(1, 1, filmUnit(device.packed().maxRadiance)), {}};
-    for (uint32_t first = 0; first < samples; first += gpu::kSamplesPerBlock) {
+    for (uint32_t first = 0; first < samples; first += shared::kSamplesPerBlock) {
         device.tracer().beginBlock(first);
-        gpu::RenderCounters counters{};
+        shared::RenderCounters counters{};
         do {
-            counters = device.tracer().renderTiles({0, 1}, gpu::kSamplesPerBlock);
+            counters = device.tracer().renderTiles({0, 1}, shared::kSamplesPerBlock);
             EXPECT_EQ(counters.nonFiniteSamples + counters.cutPaths, 0u);
         } while (counters.unfinishedPixels > 0);
         const std::span<const glm::vec4> block = device.tracer().readBlock();
-        result.film.addBlock(first / gpu::kSamplesPerBlock, block);
-        result.blockMeans.push_back(double{block[0].x} / gpu::kSamplesPerBlock);
+        result.film.addBlock(first / shared::kSamplesPerBlock, block);
+        result.blockMeans.push_back(double{block[0].x} / shared::kSamplesPerBlock);
     }
     return result;
 }
@@ -74,7 +74,7 @@ void expectConstant(uint32_t samples) {
     scene.materials[0].color = glm::dvec3(0.0);
     scene.materials[0].emission = glm::dvec3(0.1, 0.7, 3.0);
     EXPECT_EQ(render(scene, samples).film.picture().pixels,
-              render(scene, gpu::kSamplesPerBlock).film.picture().pixels);
+              render(scene, shared::kSamplesPerBlock).film.picture().pixels);
 }
 
 class MillionSamplesTest : public GpuTest {};

@@ -32,11 +32,11 @@ bool isFinite(const glm::vec3& v) { return std::isfinite(v.x + v.y + v.z); }
 class PinnedNumbers : public GpuTest {
 protected:
     /// The only light of a scene.
-    static std::vector<gpu::TestLightSample>
-    sampleLight(const GpuScene& packed, const std::vector<gpu::TestLightQuery>& queries) {
+    static std::vector<shared::TestLightSample>
+    sampleLight(const GpuScene& packed, const std::vector<shared::TestLightQuery>& queries) {
         const SceneBuffers buffers(testDevice(), packed);
-        return runKernel<gpu::TestLightSample>(kLightSampleSpirv, queries, buffers.bindings(),
-                                               kTestInputBinding);
+        return runKernel<shared::TestLightSample>(kLightSampleSpirv, queries, buffers.bindings(),
+                                                  kTestInputBinding);
     }
 
     static GpuScene packedLight(Shape shape) {
@@ -62,8 +62,8 @@ std::vector<Shape> everyLight() {
 TEST_F(PinnedNumbers, FindPointsOfLights) {
     for (const Shape& shape : everyLight()) {
         const GpuScene packed = packedLight(shape);
-        const bool isQuadric = (packed.lights[0].primitive & gpu::kQuadricBit) != 0;
-        std::vector<gpu::TestLightQuery> queries; // at every pair of ends
+        const bool isQuadric = (packed.lights[0].primitive & shared::kQuadricBit) != 0;
+        std::vector<shared::TestLightQuery> queries; // at every pair of ends
         for (const glm::dvec3& from :
              {glm::dvec3(0.0), glm::dvec3(0.1, 0.3, -0.1), glm::dvec3(0.0, 2.0, 0.0),
               glm::dvec3(0.5, 0.0, 0.0), glm::dvec3(-20.0, -50.0, 30.0), glm::dvec3(1e6, 0.0, 0.0)})
@@ -73,7 +73,7 @@ TEST_F(PinnedNumbers, FindPointsOfLights) {
                         {glm::vec3(from - packed.origin), 0, {x, y, x, y}, 1, 0, 0, 0});
         const auto points = sampleLight(packed, queries);
         for (size_t i = 0; i < points.size(); ++i) {
-            const gpu::TestLightSample& point = points[i];
+            const shared::TestLightSample& point = points[i];
             ASSERT_TRUE(isFinite(point.position) && isFinite(point.normal));
             ASSERT_TRUE(std::isfinite(point.pdf) && point.pdf >= 0.0f);
             ASSERT_NEAR(glm::length(point.normal), 1.0f, 1e-6f);
@@ -104,11 +104,11 @@ TEST_F(PinnedNumbers, ChooseLightsThatShine) {
     const GpuScene packed = packAsProgram(scene).packed;
     const uint32_t count = packed.lightCount;
     ASSERT_EQ(count, 75u);
-    std::vector<gpu::TestLightQuery> queries;
+    std::vector<shared::TestLightQuery> queries;
     std::vector<uint32_t> chosen;
     const auto firstOf = [&](uint32_t column) { return (column * kNumbers + count - 1) / count; };
     for (uint32_t column = 0; column < count; ++column) {
-        const gpu::Light& light = packed.lights[column];
+        const shared::Light& light = packed.lights[column];
         const uint32_t first = firstOf(column);
         const uint32_t last = firstOf(column + 1) - 1;
         for (const uint32_t number : {first, last})
@@ -119,8 +119,8 @@ TEST_F(PinnedNumbers, ChooseLightsThatShine) {
             }
     }
     const SceneBuffers buffers(testDevice(), packed);
-    const auto results = runKernel<gpu::TestLightSample>(kLightSampleSpirv, queries,
-                                                         buffers.bindings(), kTestInputBinding);
+    const auto results = runKernel<shared::TestLightSample>(kLightSampleSpirv, queries,
+                                                            buffers.bindings(), kTestInputBinding);
     for (size_t i = 0; i < results.size(); ++i) {
         ASSERT_EQ(results[i].chosen, chosen[i]);
         ASSERT_GT(packed.lights[chosen[i]].selectionProbability, 0.0f);
@@ -138,7 +138,7 @@ TEST_F(PinnedNumbers, ScatterToTheRightSide) {
         materials.push_back(glass);
     }
     for (const TestMaterial& test : materials) {
-        std::vector<gpu::TestScattering> events;
+        std::vector<shared::TestScattering> events;
         for (const double cosine : {1.0, 0.7, 0.04, 1e-3, 1e-6})
             for (const float u1 : kEnds)
                 for (const float u2 : kEnds)
@@ -148,7 +148,7 @@ TEST_F(PinnedNumbers, ScatterToTheRightSide) {
                         events.back().u2 = u2;
                         events.back().u3 = u3;
                     }
-        for (const auto& scattered : runKernel<gpu::TestScattered>(kScatteringSpirv, events)) {
+        for (const auto& scattered : runKernel<shared::TestScattered>(kScatteringSpirv, events)) {
             ASSERT_TRUE(isFinite(scattered.wi) && isFinite(scattered.weight)) << test.name;
             ASSERT_TRUE(std::isfinite(scattered.pdf) && scattered.pdf >= 0.0f) << test.name;
             ASSERT_NEAR(glm::length(scattered.wi), 1.0f, 1e-5f) << test.name;
@@ -165,17 +165,17 @@ TEST_F(PinnedNumbers, ScatterToTheRightSide) {
 }
 
 TEST_F(PinnedNumbers, StayOnTheLens) {
-    std::vector<gpu::TestFilmQuery> queries;
+    std::vector<shared::TestFilmQuery> queries;
     for (const double radius : {1e-6, 0.1, 1e3}) {
         Camera camera;
         camera.lensRadius = radius;
         camera.focusDistance = 4.0;
-        const gpu::Camera packed = packCamera(camera, FilmFilter::Box, glm::dvec3(0.0), 1.0);
+        const shared::Camera packed = packCamera(camera, FilmFilter::Box, glm::dvec3(0.0), 1.0);
         for (const float x : kEnds)
             for (const float y : kEnds)
                 queries.push_back({packed, {64.0f * x, 64.0f * y}, {x, y}, {64, 64}, 0, 0});
     }
-    const auto rays = runKernel<gpu::TestCameraRay>(kCameraRaySpirv, queries);
+    const auto rays = runKernel<shared::TestCameraRay>(kCameraRaySpirv, queries);
     for (size_t i = 0; i < rays.size(); ++i) {
         const double radius = glm::length(queries[i].camera.lensRight);
         ASSERT_TRUE(isFinite(rays[i].origin));
@@ -192,7 +192,7 @@ TEST_F(PinnedNumbers, StayWithinTheFiltersSupport) {
         table.filterQuantiles = filterQuantiles(filter);
         const PrimitiveScene scene(std::move(table));
         const SceneBuffers buffers(testDevice(), scene.packed());
-        const gpu::Camera camera = packCamera(Camera{}, filter, glm::dvec3(0.0), 1.0);
+        const shared::Camera camera = packCamera(Camera{}, filter, glm::dvec3(0.0), 1.0);
         std::vector<glm::vec4> queries;
         for (const float x : kEnds)
             for (const float y : kEnds)

@@ -20,13 +20,13 @@ constexpr uint32_t kRaysPerQuadric = 2000;
 /// 1e-3.
 class Departures {
 public:
-    Departures(const std::vector<gpu::Quadric>& quadrics, RandomNumbers& random) {
+    Departures(const std::vector<shared::Quadric>& quadrics, RandomNumbers& random) {
         const PrimitiveScene scene = PrimitiveScene::ofQuadrics(quadrics);
-        std::vector<gpu::TestRay> arriving;
+        std::vector<shared::TestRay> arriving;
         for (uint32_t i = 0; i < quadrics.size() * kRaysPerQuadric; ++i)
             arriving.push_back(closeUpRay(quadrics, i / kRaysPerQuadric, random));
-        std::vector<gpu::TestOffset> points;
-        for (const gpu::TestHit& hit : scene.hits(arriving)) {
+        std::vector<shared::TestOffset> points;
+        for (const shared::TestHit& hit : scene.hits(arriving)) {
             if (hit.t == kFar)
                 continue;
             sides.push_back(random.sign());
@@ -41,8 +41,8 @@ public:
     }
 
     std::vector<double> sides; ///< 1: to the outside, -1: to the inside
-    std::vector<gpu::TestRay> rays;
-    std::vector<gpu::TestHit> hits;
+    std::vector<shared::TestRay> rays;
+    std::vector<shared::TestHit> hits;
 
 private:
     static glm::dvec3 leaving(const glm::dvec3& normal, RandomNumbers& random) {
@@ -61,7 +61,7 @@ struct Mistakes {
 };
 
 /// Whether some surface within rounding of the quadric's is missed.
-bool mayMiss(const gpu::Quadric& quadric, const gpu::TestRay& ray) {
+bool mayMiss(const shared::Quadric& quadric, const shared::TestRay& ray) {
     const Line line = lineOf(ray);
     const Real tolerance = kAllowedRoundoffs * kRoundoff * roundingScale(quadric, line, kInfinity);
     return allowedAnswers(quadric, line, tolerance).miss;
@@ -74,8 +74,8 @@ Mistakes mistakesOf(uint32_t kind, double proportion) {
     Mistakes mistakes;
     mistakes.rays = static_cast<uint32_t>(departures.rays.size());
     for (size_t i = 0; i < departures.rays.size(); ++i) {
-        const gpu::TestRay& ray = departures.rays[i];
-        const gpu::Quadric& quadric = quadrics[ray.primitive & ~gpu::kQuadricBit];
+        const shared::TestRay& ray = departures.rays[i];
+        const shared::Quadric& quadric = quadrics[ray.primitive & ~shared::kQuadricBit];
         const bool hit = departures.hits[i].t < kFar;
         const bool isInside = insideQuadric(quadric, lineOf(ray), 0.0L).contains(0.0L);
         const bool outward = departures.sides[i] > 0.0;
@@ -104,7 +104,7 @@ TEST_P(QuadricDeparture, NeitherMeetsItselfNorEscapes) {
     // Points are kept off the rims, so that moved inward by the one face they do not lie outside
     // the other. But a flat cone is a wedge of as little as its height along all of its rim: where
     // that is thinner than the 14 roundings of the radius by which points are moved.
-    const bool isFlatCone = kind == gpu::kCone && proportion > 1.0;
+    const bool isFlatCone = kind == shared::kCone && proportion > 1.0;
     const double wedge = isFlatCone ? 14.0 * 0x1p-23 * proportion : 0.0;
     EXPECT_LE(mistakes.wrongSide, wedge * mistakes.rays / 2) << mistakes.example; // half go inward
     if (std::max(proportion, 1.0 / proportion) < 1.001 * kThinnestProportion) {
@@ -113,7 +113,7 @@ TEST_P(QuadricDeparture, NeitherMeetsItselfNorEscapes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, QuadricDeparture,
-                         testing::Combine(testing::Values(gpu::kCylinder, gpu::kCone),
+                         testing::Combine(testing::Values(shared::kCylinder, shared::kCone),
                                           testing::Values(1e-5, 1e-4, 1e-3, 1e3, 1e4, 1e5)),
                          [](const auto& instance) {
                              return nameOf(std::get<0>(instance.param)) +

@@ -13,13 +13,13 @@
 namespace calotype::test {
 namespace {
 
-void expectWithinRounding(const std::vector<gpu::Quadric>& quadrics,
-                          const std::vector<gpu::TestRay>& rays) {
+void expectWithinRounding(const std::vector<shared::Quadric>& quadrics,
+                          const std::vector<shared::TestRay>& rays) {
     const auto hits = PrimitiveScene::ofQuadrics(quadrics).hits(rays);
     QuadricErrors errors;
     size_t met = 0;
     for (size_t i = 0; i < rays.size(); ++i) {
-        errors.add(quadrics[rays[i].primitive & ~gpu::kQuadricBit], rays[i], hits[i]);
+        errors.add(quadrics[rays[i].primitive & ~shared::kQuadricBit], rays[i], hits[i]);
         met += hits[i].t < kFar ? 1 : 0;
     }
     std::cout << rays.size() << " rays, " << met << " hits, roundoffs " << errors.roundoffs
@@ -47,12 +47,12 @@ TEST_P(QuadricProportion, EveryKindOfRayHitsASurfaceWithinRounding) {
     for (const RayKind rayKind : kAllRayKinds) {
         SCOPED_TRACE(nameOf(rayKind));
         RandomNumbers random(static_cast<uint32_t>(rayKind));
-        const std::vector<gpu::Quadric> quadrics = variedQuadrics(kind, random, proportion);
-        std::vector<gpu::TestRay> rays;
+        const std::vector<shared::Quadric> quadrics = variedQuadrics(kind, random, proportion);
+        std::vector<shared::TestRay> rays;
         for (uint32_t i = 0; i < quadrics.size() * raysPerQuadric; ++i) {
             const uint32_t index = i / raysPerQuadric;
             const AimedRay ray = aimRay(rayKind, quadrics[index], random);
-            rays.push_back(testRay(ray.origin, ray.direction, index | gpu::kQuadricBit));
+            rays.push_back(testRay(ray.origin, ray.direction, index | shared::kQuadricBit));
         }
         expectWithinRounding(quadrics, rays);
     }
@@ -63,7 +63,7 @@ TEST_P(QuadricProportion, CloseUpRaysHitASurfaceWithinRounding) {
     const auto [kind, proportion, raysPerQuadric] = GetParam();
     RandomNumbers random(241);
     const auto quadrics = closeUpQuadrics(kind, proportion, random);
-    std::vector<gpu::TestRay> rays;
+    std::vector<shared::TestRay> rays;
     for (uint32_t i = 0; i < quadrics.size() * raysPerQuadric; ++i)
         rays.push_back(closeUpRay(quadrics, i / raysPerQuadric, random));
     expectWithinRounding(quadrics, rays);
@@ -71,7 +71,7 @@ TEST_P(QuadricProportion, CloseUpRaysHitASurfaceWithinRounding) {
 
 std::vector<Parameter> parameters(uint32_t raysPerQuadric) {
     std::vector<Parameter> all;
-    for (const uint32_t kind : {gpu::kCylinder, gpu::kCone})
+    for (const uint32_t kind : {shared::kCylinder, shared::kCone})
         for (const double proportion : {1e-5, 1e-3, 1e3, 1e5})
             all.push_back({kind, proportion, raysPerQuadric});
     return all;

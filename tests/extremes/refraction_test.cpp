@@ -89,13 +89,13 @@ TEST_F(RefractionExtremes, DirectionsAreSnells) {
     double worstLength = 0.0;
     for (const double eta : kEtas) {
         glass.ior = eta;
-        std::vector<gpu::TestScattering> events;
+        std::vector<shared::TestScattering> events;
         for (const float cosine : cosinesFor(eta, random))
             for (const float u : {0.0f, 1.0f - 0x1p-24f, random.deviceUnit()}) {
                 events.push_back(scatteringOn(glass, directionAt(cosine, 6.28 * random.unit())));
                 events.back().u3 = u;
             }
-        const auto answers = runKernel<gpu::TestScattered>(kScatteringSpirv, events);
+        const auto answers = runKernel<shared::TestScattered>(kScatteringSpirv, events);
         for (size_t i = 0; i < events.size(); ++i) {
             const glm::dvec3 wo(events[i].wo);
             const glm::dvec3 wi(answers[i].wi);

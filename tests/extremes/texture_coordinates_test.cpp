@@ -34,13 +34,13 @@ public:
         glm::dvec2 exact;
     };
     std::vector<Found> find(const std::vector<glm::dvec2>& points) const {
-        std::vector<gpu::TestRay> rays;
+        std::vector<shared::TestRay> rays;
         for (const glm::dvec2& p : points)
             rays.push_back(testRay({p, 1.0}, {0.0, 0.0, -1.0}, p.x >= p.y ? 0 : 1));
         const PrimitiveScene scene(scene_);
         const SceneBuffers buffers(testDevice(), scene.packed());
-        const auto results = runKernel<gpu::TestCoordinates>(kCoordinatesSpirv, rays,
-                                                             buffers.bindings(), kTestInputBinding);
+        const auto results = runKernel<shared::TestCoordinates>(
+            kCoordinatesSpirv, rays, buffers.bindings(), kTestInputBinding);
         std::vector<Found> found;
         for (size_t i = 0; i < rays.size(); ++i)
             found.push_back(
@@ -84,7 +84,7 @@ TEST_F(FarTextures, LookUpsOfExactCoordinatesAreExact) {
     RandomNumbers random(252);
     const PackedTextures packed(variedTextures(
         {{16, 16, true, true}, {5, 3, true, true}, {256, 64, false, false}}, random));
-    std::vector<gpu::TestTextureRead> reads;
+    std::vector<shared::TestTextureRead> reads;
     for (uint32_t index = 0; index < packed.textures().size(); ++index)
         for (int i = 0; i < 3000; ++i) {
             const double far = random.sign() * (i % 2 == 0 ? 1e6 : random.powerOfTen(3.0, 6.0));

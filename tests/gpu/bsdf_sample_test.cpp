@@ -23,11 +23,11 @@ constexpr double kCosines[] = {1.0, 0.7, 0.25, 0.04};
 /// The viewer's place, off the axes of the frame.
 glm::dvec3 viewer(double cosTheta) { return directionAt(cosTheta, 0.8); }
 
-std::vector<gpu::TestScattered> drawSamples(const TestMaterial& test, double cosThetaO,
-                                            RandomNumbers& random) {
-    std::vector<gpu::TestScattering> events(kSamples,
-                                            scatteringOn(test.material, viewer(cosThetaO)));
-    for (gpu::TestScattering& event : events) {
+std::vector<shared::TestScattered> drawSamples(const TestMaterial& test, double cosThetaO,
+                                               RandomNumbers& random) {
+    std::vector<shared::TestScattering> events(kSamples,
+                                               scatteringOn(test.material, viewer(cosThetaO)));
+    for (shared::TestScattering& event : events) {
         event.u1 = random.deviceUnit();
         event.u2 = random.deviceUnit();
         event.u3 = random.deviceUnit();
@@ -38,7 +38,7 @@ std::vector<gpu::TestScattered> drawSamples(const TestMaterial& test, double cos
         events[i].u2 = end(i & 2);
         events[i].u3 = end(i & 4);
     }
-    return runKernel<gpu::TestScattered>(kScatteringSpirv, events);
+    return runKernel<shared::TestScattered>(kScatteringSpirv, events);
 }
 
 double mixturePdf(const TestMaterial& test, double diffuseProbability, const glm::dvec3& wo,
@@ -58,7 +58,7 @@ TEST_F(BsdfSample, IsDistributedAsItsDensity) {
             const auto samples = drawSamples(test, cosThetaO, random);
             const double diffuseProbability = samples[0].diffuseProbability;
             std::vector<glm::dvec3> directions;
-            for (const gpu::TestScattered& sample : samples)
+            for (const shared::TestScattered& sample : samples)
                 if (sample.pdf > 0.0f)
                     directions.emplace_back(sample.wi);
             const DirectionFit fit =
@@ -76,7 +76,7 @@ TEST_F(BsdfSample, WeighsValueOverDensity) {
     for (const TestMaterial& test : testMaterials())
         for (const double cosThetaO : kCosines) {
             const glm::dvec3 wo = viewer(cosThetaO);
-            for (const gpu::TestScattered& sample : drawSamples(test, cosThetaO, random)) {
+            for (const shared::TestScattered& sample : drawSamples(test, cosThetaO, random)) {
                 ASSERT_TRUE(std::isfinite(sample.weight.x + sample.pdf)) << test.name;
                 const glm::dvec3 wi = glm::normalize(glm::dvec3(sample.wi));
                 if (sample.pdf == 0.0f || wi.z < 1e-3) {
@@ -102,7 +102,7 @@ TEST_F(BsdfSample, ConservesEnergyWhereItShould) {
             test.material.color = glm::dvec3(1.0);
         for (const double cosThetaO : kCosines) {
             std::vector<double> weights;
-            for (const gpu::TestScattered& sample : drawSamples(test, cosThetaO, random))
+            for (const shared::TestScattered& sample : drawSamples(test, cosThetaO, random))
                 weights.push_back(sample.weight.x);
             const Estimate albedo = estimate(weights);
             if (test.conservesEnergy) {

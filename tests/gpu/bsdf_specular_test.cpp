@@ -16,21 +16,22 @@ namespace {
 
 constexpr uint32_t kSamples = 40'000;
 
-std::vector<gpu::TestScattered> drawSamples(gpu::TestScattering event, RandomNumbers& random) {
-    std::vector<gpu::TestScattering> events(kSamples, event);
-    for (gpu::TestScattering& e : events) {
+std::vector<shared::TestScattered> drawSamples(shared::TestScattering event,
+                                               RandomNumbers& random) {
+    std::vector<shared::TestScattering> events(kSamples, event);
+    for (shared::TestScattering& e : events) {
         e.u1 = random.deviceUnit();
         e.u2 = random.deviceUnit();
         e.u3 = random.deviceUnit();
     }
-    return runKernel<gpu::TestScattered>(kScatteringSpirv, events);
+    return runKernel<shared::TestScattered>(kScatteringSpirv, events);
 }
 
 glm::dvec3 mirrored(const glm::dvec3& w) { return {-w.x, -w.y, w.z}; }
 
-double meanWeight(const std::vector<gpu::TestScattered>& samples) {
+double meanWeight(const std::vector<shared::TestScattered>& samples) {
     double sum = 0.0;
-    for (const gpu::TestScattered& sample : samples)
+    for (const shared::TestScattered& sample : samples)
         sum += sample.weight.x;
     return sum / static_cast<double>(samples.size());
 }
@@ -60,7 +61,8 @@ TEST_F(Specular, DielectricFollowsSnellAndFresnel) {
                 glm::dvec3 wo = directionAt(cosThetaI, 0.4);
                 wo.z *= side;
                 uint32_t reflected = 0;
-                for (const gpu::TestScattered& s : drawSamples(scatteringOn(glass, wo), random)) {
+                for (const shared::TestScattered& s :
+                     drawSamples(scatteringOn(glass, wo), random)) {
                     const glm::dvec3 wi(s.wi);
                     ASSERT_EQ(s.crosses != 0, wi.z * side < 0.0);
                     if (s.crosses == 0) {
@@ -86,7 +88,7 @@ TEST_F(Specular, DielectricFollowsSnellAndFresnel) {
 
 TEST_F(Specular, MetalOfNoRoughnessIsAMirror) {
     RandomNumbers random(92);
-    const double almostMirror = 0.999 * std::sqrt(gpu::kMirrorAlpha);
+    const double almostMirror = 0.999 * std::sqrt(shared::kMirrorAlpha);
     for (const double roughness : {0.0, almostMirror})
         for (const Masking masking : {Masking::Schlick, Masking::Smith})
             for (const double cosThetaO : {1.0, 0.5, 0.05}) {
@@ -96,7 +98,7 @@ TEST_F(Specular, MetalOfNoRoughnessIsAMirror) {
                 const double g1 =
                     masking == Masking::Smith ? 1.0 : cosThetaO / (cosThetaO * (1.0 - k) + k);
                 const double fresnel = 0.9 + 0.1 * std::pow(1.0 - cosThetaO, 5);
-                for (const gpu::TestScattered& s :
+                for (const shared::TestScattered& s :
                      drawSamples(scatteringOn(material, wo), random)) {
                     ASSERT_LT(glm::distance(glm::dvec3(s.wi), mirrored(wo)), 1e-6);
                     ASSERT_NEAR(s.weight.x, fresnel * g1 * g1, 1e-6);
@@ -108,7 +110,7 @@ TEST_F(Specular, MetalOfNoRoughnessIsAMirror) {
 // Just above the threshold the lobe is narrow and reflects as much as the mirror just below.
 TEST_F(Specular, MirrorIsTheLimitOfLittleRoughness) {
     RandomNumbers random(93);
-    const double threshold = std::sqrt(gpu::kMirrorAlpha);
+    const double threshold = std::sqrt(shared::kMirrorAlpha);
     for (const Masking masking : {Masking::Schlick, Masking::Smith})
         for (const double cosThetaO : {1.0, 0.5, 0.1}) {
             const glm::dvec3 wo = directionAt(cosThetaO, 2.0);
@@ -120,9 +122,9 @@ TEST_F(Specular, MirrorIsTheLimitOfLittleRoughness) {
             EXPECT_NEAR(meanWeight(above), meanWeight(below), 1e-3 * meanWeight(below))
                 << "cosine " << cosThetaO;
             size_t near = 0;
-            for (const gpu::TestScattered& s : above) {
+            for (const shared::TestScattered& s : above) {
                 ASSERT_LT(s.pdf, 1e20f);
-                near += glm::distance(glm::dvec3(s.wi), mirrored(wo)) < 20.0 * gpu::kMirrorAlpha;
+                near += glm::distance(glm::dvec3(s.wi), mirrored(wo)) < 20.0 * shared::kMirrorAlpha;
             }
             // A GGX lobe has 1 / 101 of its half vectors beyond a tangent of ten alpha.
             EXPECT_GT(near, kSamples * 97 / 100) << "cosine " << cosThetaO;
@@ -140,7 +142,7 @@ TEST_F(Specular, NonmetalOfNoRoughnessMixesMirrorAndDiffuse) {
         const double g1 = cosThetaO / (cosThetaO * (1.0 - k) + k);
         const double fresnel = 0.04 + 0.96 * std::pow(1.0 - cosThetaO, 5);
         std::vector<double> mirrorWeights, diffuseWeights;
-        for (const gpu::TestScattered& s :
+        for (const shared::TestScattered& s :
              drawSamples(scatteringOn(varnish, directionAt(cosThetaO, 1.0)), random)) {
             const bool specular = s.pdf > 1e20f;
             mirrorWeights.push_back(specular ? s.weight.x : 0.0);
@@ -157,7 +159,7 @@ TEST_F(Specular, NonmetalOfNoRoughnessMixesMirrorAndDiffuse) {
 // the true surface's side, and the refracted one on the other.
 TEST_F(Specular, DirectionsAgreeWithTheTrueSurface) {
     RandomNumbers random(95);
-    std::vector<gpu::TestScattering> events;
+    std::vector<shared::TestScattering> events;
     Material glass;
     glass.type = MaterialType::Dielectric;
     glass.color = glm::dvec3(1.0);
@@ -169,13 +171,13 @@ TEST_F(Specular, DirectionsAgreeWithTheTrueSurface) {
         glm::dvec3 wo = random.direction();
         if (i % 4 == 0) // grazing
             wo = glm::normalize(wo - (1.0 - random.powerOfTen(-6.0, -1.0)) * glm::dot(wo, ng) * ng);
-        gpu::TestScattering event = scatteringOn(i % 2 == 0 ? glass : chrome, wo);
+        shared::TestScattering event = scatteringOn(i % 2 == 0 ? glass : chrome, wo);
         event.ng = glm::vec3(ng);
         event.ns = glm::vec3(ns);
         event.u3 = random.deviceUnit();
         events.push_back(event);
     }
-    const auto results = runKernel<gpu::TestScattered>(kScatteringSpirv, events);
+    const auto results = runKernel<shared::TestScattered>(kScatteringSpirv, events);
     for (size_t i = 0; i < events.size(); ++i) {
         const double facing = glm::dot(glm::dvec3(events[i].wo), glm::dvec3(events[i].ng));
         const double leaving = glm::dot(glm::dvec3(results[i].wi), glm::dvec3(events[i].ng));
@@ -196,10 +198,10 @@ TEST_F(Specular, DirectionsAgreeWithTheTrueSurface) {
 // Where the shading normal needs no help it stays as it is.
 TEST_F(Specular, NormalsInAgreementAreKept) {
     const Material chrome = metal(0.0, Masking::Smith);
-    gpu::TestScattering event = scatteringOn(chrome, directionAt(0.8, 0.0));
+    shared::TestScattering event = scatteringOn(chrome, directionAt(0.8, 0.0));
     event.ns = glm::vec3(glm::normalize(glm::dvec3(0.2, 0.1, 1.0)));
-    const auto results =
-        runKernel<gpu::TestScattered>(kScatteringSpirv, std::vector<gpu::TestScattering>{event});
+    const auto results = runKernel<shared::TestScattered>(
+        kScatteringSpirv, std::vector<shared::TestScattering>{event});
     EXPECT_EQ(results[0].ns, event.ns);
 }
 

@@ -18,9 +18,9 @@ namespace {
 class BsdfValue : public GpuTest {};
 
 /// Pairs of directions where the lobe is: half vectors spread over a few of its widths.
-std::vector<gpu::TestScattering> eventsAcross(const TestMaterial& test, int count,
-                                              RandomNumbers& random) {
-    std::vector<gpu::TestScattering> events;
+std::vector<shared::TestScattering> eventsAcross(const TestMaterial& test, int count,
+                                                 RandomNumbers& random) {
+    std::vector<shared::TestScattering> events;
     while (events.size() < static_cast<size_t>(count)) {
         const glm::dvec3 wo = directionAt(random.between(0.03, 1.0), random.between(0.0, 6.28));
         const double tangent = test.lobeWidth * random.between(0.0, 4.0);
@@ -49,7 +49,7 @@ TEST_F(BsdfValue, IsTheReportsEquation) {
     RandomNumbers random(71);
     for (const TestMaterial& test : testMaterials()) {
         const auto events = eventsAcross(test, 4000, random);
-        const auto results = runKernel<gpu::TestScattered>(kScatteringSpirv, events);
+        const auto results = runKernel<shared::TestScattered>(kScatteringSpirv, events);
         for (size_t i = 0; i < events.size(); ++i) {
             const glm::dvec3 wo = unit(events[i].wo);
             const glm::dvec3 wi = unit(events[i].wi);
@@ -67,7 +67,7 @@ TEST_F(BsdfValue, DensityIsThatOfTheWholeMixture) {
     RandomNumbers random(72);
     for (const TestMaterial& test : testMaterials()) {
         const auto events = eventsAcross(test, 4000, random);
-        const auto results = runKernel<gpu::TestScattered>(kScatteringSpirv, events);
+        const auto results = runKernel<shared::TestScattered>(kScatteringSpirv, events);
         for (size_t i = 0; i < events.size(); ++i) {
             const glm::dvec3 wo = unit(events[i].wo);
             const glm::dvec3 wi = unit(events[i].wi);
@@ -87,10 +87,10 @@ TEST_F(BsdfValue, IsTheSameBothWays) {
     for (const TestMaterial& test : testMaterials()) {
         const auto events = eventsAcross(test, 2000, random);
         auto reversed = events;
-        for (gpu::TestScattering& event : reversed)
+        for (shared::TestScattering& event : reversed)
             std::swap(event.wo, event.wi);
-        const auto there = runKernel<gpu::TestScattered>(kScatteringSpirv, events);
-        const auto back = runKernel<gpu::TestScattered>(kScatteringSpirv, reversed);
+        const auto there = runKernel<shared::TestScattered>(kScatteringSpirv, events);
+        const auto back = runKernel<shared::TestScattered>(kScatteringSpirv, reversed);
         for (size_t i = 0; i < events.size(); ++i) {
             const double f = there[i].given.x / events[i].wi.z;
             const double g = back[i].given.x / events[i].wo.z;
@@ -103,7 +103,7 @@ TEST_F(BsdfValue, IsTheSameBothWays) {
 TEST_F(BsdfValue, IsZeroBelowTheSurfaceAndFiniteAtItsEdge) {
     RandomNumbers random(74);
     for (const TestMaterial& test : testMaterials()) {
-        std::vector<gpu::TestScattering> events;
+        std::vector<shared::TestScattering> events;
         for (const double cosO : {1e-7, 1e-4, 0.5, 1.0})
             for (const double cosI : {-1.0, -1e-3, -1e-7, 1e-7, 1e-4, 1.0})
                 for (const double phi : {0.0, 1.0, std::numbers::pi}) {
@@ -112,9 +112,9 @@ TEST_F(BsdfValue, IsZeroBelowTheSurfaceAndFiniteAtItsEdge) {
                     events.back().wi.z = static_cast<float>(cosI);
                     events.back().u1 = random.deviceUnit();
                 }
-        const auto results = runKernel<gpu::TestScattered>(kScatteringSpirv, events);
+        const auto results = runKernel<shared::TestScattered>(kScatteringSpirv, events);
         for (size_t i = 0; i < events.size(); ++i) {
-            const gpu::TestScattered& r = results[i];
+            const shared::TestScattered& r = results[i];
             ASSERT_TRUE(std::isfinite(r.given.x + r.given.y + r.given.z + r.givenPdf)) << test.name;
             ASSERT_TRUE(std::isfinite(r.weight.x + r.weight.y + r.weight.z + r.pdf)) << test.name;
             ASSERT_GE(std::min({r.given.x, r.given.y, r.given.z, r.givenPdf}), 0.0f) << test.name;

@@ -47,13 +47,13 @@ std::vector<Camera> variedCameras(Projection projection, double lensRadius) {
 }
 
 /// The film's corners, its centre and random positions, from random points of the lens.
-std::vector<gpu::TestFilmQuery> queriesOf(const Camera& camera, RandomNumbers& random) {
-    const gpu::Camera packed = packCamera(camera, FilmFilter::Box, kOrigin, kAspectRatio);
+std::vector<shared::TestFilmQuery> queriesOf(const Camera& camera, RandomNumbers& random) {
+    const shared::Camera packed = packCamera(camera, FilmFilter::Box, kOrigin, kAspectRatio);
     const glm::vec2 size(kImageSize);
     std::vector<glm::vec2> positions = {{0, 0}, {size.x, 0}, {0, size.y}, size, 0.5f * size};
     for (int i = 0; i < 100; ++i)
         positions.push_back({random.between(0, kImageSize.x), random.between(0, kImageSize.y)});
-    std::vector<gpu::TestFilmQuery> queries;
+    std::vector<shared::TestFilmQuery> queries;
     for (const glm::vec2& position : positions)
         queries.push_back(
             {packed, position, {random.deviceUnit(), random.deviceUnit()}, kImageSize, 0, 0});
@@ -88,15 +88,15 @@ glm::dvec3 pointInFocus(const Camera& camera, const glm::vec2& film) {
            direction * (camera.focusDistance / glm::dot(direction, camera.forward));
 }
 
-double distanceFromRay(const gpu::TestCameraRay& ray, const glm::dvec3& point) {
+double distanceFromRay(const shared::TestCameraRay& ray, const glm::dvec3& point) {
     return glm::length(glm::cross(point - glm::dvec3(ray.origin), glm::dvec3(ray.direction)));
 }
 
 class CameraRay : public GpuTest {
 protected:
-    std::vector<gpu::TestCameraRay> run(const std::vector<gpu::TestFilmQuery>& queries,
-                                        const std::vector<vk::Bool32>& features = {}) {
-        return runKernel<gpu::TestCameraRay>(kCameraRaySpirv, queries, {}, 0, features);
+    std::vector<shared::TestCameraRay> run(const std::vector<shared::TestFilmQuery>& queries,
+                                           const std::vector<vk::Bool32>& features = {}) {
+        return runKernel<shared::TestCameraRay>(kCameraRaySpirv, queries, {}, 0, features);
     }
 
     /// Calls check(camera, query, ray) for many rays of many cameras.
@@ -140,7 +140,8 @@ TEST_F(CameraRay, OfAParallelProjectionIsParallel) {
 
 // Pixel (0, 0) is top left, for a camera that looks along -z.
 TEST_F(CameraRay, StartsAtTheTopLeft) {
-    const gpu::Camera camera = packCamera(Camera{}, FilmFilter::Box, glm::dvec3(0.0), kAspectRatio);
+    const shared::Camera camera =
+        packCamera(Camera{}, FilmFilter::Box, glm::dvec3(0.0), kAspectRatio);
     const auto rays = run({{camera, {0, 0}, {}, kImageSize, 0, 0}});
     EXPECT_LT(rays[0].direction.x, -0.1f);
     EXPECT_GT(rays[0].direction.y, 0.1f);
@@ -164,8 +165,8 @@ TEST_F(CameraRay, OfALensStartsAnywhereOnItsDiskAlike) {
     constexpr uint32_t kSectors = 12;
     Camera camera = cameraAt(Projection::Perspective, random);
     camera.lensRadius = 0.25;
-    const gpu::Camera packed = packCamera(camera, FilmFilter::Box, kOrigin, kAspectRatio);
-    std::vector<gpu::TestFilmQuery> queries;
+    const shared::Camera packed = packCamera(camera, FilmFilter::Box, kOrigin, kAspectRatio);
+    std::vector<shared::TestFilmQuery> queries;
     for (int i = 0; i < 200'000; ++i)
         queries.push_back({packed,
                            {random.between(0, kImageSize.x), random.between(0, kImageSize.y)},
@@ -174,7 +175,7 @@ TEST_F(CameraRay, OfALensStartsAnywhereOnItsDiskAlike) {
                            0,
                            0});
     std::vector<uint64_t> counts(kRings * kSectors);
-    for (const gpu::TestCameraRay& ray : run(queries)) {
+    for (const shared::TestCameraRay& ray : run(queries)) {
         const glm::dvec3 onLens = glm::dvec3(ray.origin) + kOrigin - camera.position;
         const double x = glm::dot(onLens, camera.right) / camera.lensRadius;
         const double y = glm::dot(onLens, camera.up) / camera.lensRadius;
@@ -191,8 +192,8 @@ TEST_F(CameraRay, OfALensStartsAnywhereOnItsDiskAlike) {
 
 // A kernel specialised for no lens gives the very bits that one with a lens of no size gives.
 TEST_F(CameraRay, OfALensOfNoSizeIsThePinholesBitForBit) {
-    std::vector<vk::Bool32> withoutLens(gpu::kFeatureCount, VK_TRUE);
-    withoutLens[gpu::kFeatureLens] = VK_FALSE;
+    std::vector<vk::Bool32> withoutLens(shared::kFeatureCount, VK_TRUE);
+    withoutLens[shared::kFeatureLens] = VK_FALSE;
     RandomNumbers random(164);
     for (const auto projection : {Projection::Perspective, Projection::Orthographic})
         for (const Camera& camera : variedCameras(projection, 0.0)) {

@@ -13,11 +13,11 @@
 /// Texture coordinates at hits, and the directions in which they grow, as the kernels find them.
 namespace calotype::test {
 
-inline std::vector<gpu::TestCoordinates> coordinatesAt(const PrimitiveScene& scene,
-                                                       const std::vector<gpu::TestRay>& rays) {
+inline std::vector<shared::TestCoordinates>
+coordinatesAt(const PrimitiveScene& scene, const std::vector<shared::TestRay>& rays) {
     const SceneBuffers buffers(testDevice(), scene.packed());
-    return runKernel<gpu::TestCoordinates>(kCoordinatesSpirv, rays, buffers.bindings(),
-                                           kTestInputBinding);
+    return runKernel<shared::TestCoordinates>(kCoordinatesSpirv, rays, buffers.bindings(),
+                                              kTestInputBinding);
 }
 
 inline glm::dvec3 unit(const glm::vec3& v) { return glm::normalize(glm::dvec3(v)); }
@@ -25,7 +25,7 @@ inline glm::dvec3 unit(const glm::vec3& v) { return glm::normalize(glm::dvec3(v)
 /// That texture coordinates do along a direction of the surface what dpdu promises of u: it grows,
 /// the other one stays. `slope` is the derivative of (u, v) per unit of length along a direction.
 template <typename Slope>
-void expectGrowth(const gpu::TestCoordinates& at, const Slope& slope, double tolerance) {
+void expectGrowth(const shared::TestCoordinates& at, const Slope& slope, double tolerance) {
     const glm::dvec2 alongU = slope(unit(at.dpdu));
     const glm::dvec2 alongV = slope(unit(at.dpdv));
     EXPECT_GT(alongU.x, 0.0);

@@ -27,7 +27,7 @@ protected:
         table.filterQuantiles = filterQuantiles(GetParam());
         const PrimitiveScene scene(std::move(table));
         const SceneBuffers buffers(testDevice(), scene.packed());
-        const gpu::Camera camera = packCamera(Camera{}, GetParam(), glm::dvec3(0.0), 1.0);
+        const shared::Camera camera = packCamera(Camera{}, GetParam(), glm::dvec3(0.0), 1.0);
         std::vector<glm::vec4> inputs;
         for (const glm::vec2& u : points)
             inputs.emplace_back(u, static_cast<float>(camera.filterIsBox), 0.0f);

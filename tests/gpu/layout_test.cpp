@@ -42,31 +42,31 @@ class Layout : public GpuTest {};
 TEST_F(Layout, IsTheSameInHostAndKernel) {
     DistinctWords distinct;
     GpuScene scene;
-    scene.nodes = {{}, distinct.make<gpu::BvhNode>()};
-    scene.triangles = {{}, distinct.make<gpu::Triangle>()};
-    scene.triangleNormals = {{}, distinct.make<gpu::TriangleNormals>()};
-    scene.triangleUvs = {{}, distinct.make<gpu::TriangleUvs>()};
-    scene.quadrics = {{}, distinct.make<gpu::Quadric>()};
-    scene.materials = {{}, distinct.make<gpu::Material>()};
-    scene.textures = {{}, distinct.make<gpu::Texture>()};
+    scene.nodes = {{}, distinct.make<shared::BvhNode>()};
+    scene.triangles = {{}, distinct.make<shared::Triangle>()};
+    scene.triangleNormals = {{}, distinct.make<shared::TriangleNormals>()};
+    scene.triangleUvs = {{}, distinct.make<shared::TriangleUvs>()};
+    scene.quadrics = {{}, distinct.make<shared::Quadric>()};
+    scene.materials = {{}, distinct.make<shared::Material>()};
+    scene.textures = {{}, distinct.make<shared::Texture>()};
     scene.texelRows = {{}};
-    scene.lights = {{}, distinct.make<gpu::Light>()};
+    scene.lights = {{}, distinct.make<shared::Light>()};
     const auto quantiles = distinct.make<std::array<float, 4>>();
     scene.filterQuantiles = {quantiles.begin(), quantiles.end()};
-    const auto camera = distinct.make<gpu::Camera>();
+    const auto camera = distinct.make<shared::Camera>();
     struct Parameters {
-        gpu::RenderParameters render;
-        gpu::FirstHitParameters firstHit;
+        shared::RenderParameters render;
+        shared::FirstHitParameters firstHit;
     } parameters{};
-    parameters.render = distinct.make<gpu::RenderParameters>();
-    const auto counters = distinct.make<gpu::RenderCounters>();
-    parameters.firstHit = distinct.make<gpu::FirstHitParameters>();
-    const std::array records = {gpu::FirstHitRecord{}, distinct.make<gpu::FirstHitRecord>()};
+    parameters.render = distinct.make<shared::RenderParameters>();
+    const auto counters = distinct.make<shared::RenderCounters>();
+    parameters.firstHit = distinct.make<shared::FirstHitParameters>();
+    const std::array records = {shared::FirstHitRecord{}, distinct.make<shared::FirstHitRecord>()};
 
-    const std::array parked = {gpu::ParkedPath{}, distinct.make<gpu::ParkedPath>()};
+    const std::array parked = {shared::ParkedPath{}, distinct.make<shared::ParkedPath>()};
 
-    const std::array rays = {gpu::ListedRay{}, distinct.make<gpu::ListedRay>()};
-    const std::array hits = {gpu::ListedHit{}, distinct.make<gpu::ListedHit>()};
+    const std::array rays = {shared::ListedRay{}, distinct.make<shared::ListedRay>()};
+    const std::array hits = {shared::ListedHit{}, distinct.make<shared::ListedHit>()};
 
     const Device& device = testDevice();
     const SceneBuffers buffers(device, scene);
@@ -87,13 +87,13 @@ TEST_F(Layout, IsTheSameInHostAndKernel) {
     const Buffer echo(device, distinct.words().size() * sizeof(uint32_t),
                       vk::BufferUsageFlagBits::eStorageBuffer, Buffer::Memory::Host, "echo");
     std::vector<Binding> bindings = buffers.bindings();
-    bindings.push_back(Binding::uniformBuffer(gpu::kBindingCamera, cameraBuffer));
-    bindings.push_back(Binding::storageBuffer(gpu::kBindingCounters, countersBuffer));
-    bindings.push_back(Binding::storageBuffer(gpu::kBindingFirstHits, recordsBuffer));
-    bindings.push_back(Binding::storageBuffer(gpu::kBindingParkedPaths, parkedBuffer));
-    bindings.push_back(Binding::storageBuffer(gpu::kBindingRays, raysBuffer));
-    bindings.push_back(Binding::storageBuffer(gpu::kBindingListedHits, hitsBuffer));
-    bindings.push_back(Binding::storageBuffer(gpu::kBindingTestOutputs, echo));
+    bindings.push_back(Binding::uniformBuffer(shared::kBindingCamera, cameraBuffer));
+    bindings.push_back(Binding::storageBuffer(shared::kBindingCounters, countersBuffer));
+    bindings.push_back(Binding::storageBuffer(shared::kBindingFirstHits, recordsBuffer));
+    bindings.push_back(Binding::storageBuffer(shared::kBindingParkedPaths, parkedBuffer));
+    bindings.push_back(Binding::storageBuffer(shared::kBindingRays, raysBuffer));
+    bindings.push_back(Binding::storageBuffer(shared::kBindingListedHits, hitsBuffer));
+    bindings.push_back(Binding::storageBuffer(shared::kBindingTestOutputs, echo));
     const ComputePipeline pipeline(device, {.name = "layout echo",
                                             .spirv = kLayoutEchoSpirv,
                                             .bindings = bindings,

@@ -23,7 +23,7 @@ TEST_F(LightChoice, HappensWithTheSelectionChances) {
     const GpuScene packed = packAsProgram(scene).packed;
     ASSERT_EQ(packed.lightCount, shapes.size());
 
-    std::vector<gpu::TestLightQuery> queries;
+    std::vector<shared::TestLightQuery> queries;
     for (uint32_t i = 0; i < 1'000'000; ++i)
         queries.push_back({{},
                            0,
@@ -34,15 +34,15 @@ TEST_F(LightChoice, HappensWithTheSelectionChances) {
                            0});
     queries[0].u.z = queries[0].u.w = queries[1].u.z = queries[2].u.w = 1.0f - 0x1p-24f;
     const SceneBuffers buffers(testDevice(), packed);
-    const auto results = runKernel<gpu::TestLightSample>(kLightSampleSpirv, queries,
-                                                         buffers.bindings(), kTestInputBinding);
+    const auto results = runKernel<shared::TestLightSample>(kLightSampleSpirv, queries,
+                                                            buffers.bindings(), kTestInputBinding);
     std::vector<uint64_t> counts(packed.lightCount);
-    for (const gpu::TestLightSample& result : results) {
+    for (const shared::TestLightSample& result : results) {
         ASSERT_LT(result.chosen, packed.lightCount);
         ++counts[result.chosen];
     }
     std::vector<double> chances;
-    for (const gpu::Light& light : packed.lights)
+    for (const shared::Light& light : packed.lights)
         chances.push_back(light.selectionProbability);
     EXPECT_LT(chiSquare(counts, chances), chiSquareLimit(counts.size() - 1));
 }

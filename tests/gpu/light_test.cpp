@@ -115,35 +115,35 @@ protected:
     /// Whether a direction from the reference meets the light.
     bool meetsLight(const glm::dvec3& direction) const {
         const Line line{Vec3(reference_), Vec3(direction)};
-        if (packed_.lights[0].primitive & gpu::kQuadricBit)
+        if (packed_.lights[0].primitive & shared::kQuadricBit)
             return firstHit(packed_.quadrics[0], line) < kInfinity;
         const TriangleCrossing crossing = crossTriangle(packed_.triangles[0], line);
         return crossing.insideBy >= 0.0L && crossing.t > 0.0L;
     }
 
     /// Distance of a sample from the light's surface.
-    double distanceFromLight(const gpu::TestLightSample& point) const {
+    double distanceFromLight(const shared::TestLightSample& point) const {
         const Vec3 position(point.position);
-        if (packed_.lights[0].primitive & gpu::kQuadricBit)
+        if (packed_.lights[0].primitive & shared::kQuadricBit)
             return double(
                 std::abs(faceAt(packed_.quadrics[0], position, Vec3(point.normal)).distance));
-        const gpu::Triangle& t = packed_.triangles[0];
+        const shared::Triangle& t = packed_.triangles[0];
         const Vec3 normal =
             glm::normalize(glm::cross(Vec3(t.v1) - Vec3(t.v0), Vec3(t.v2) - Vec3(t.v0)));
         return double(std::abs(glm::dot(position - Vec3(t.v0), normal)));
     }
 
-    glm::dvec3 directionTo(const gpu::TestLightSample& point) const {
+    glm::dvec3 directionTo(const shared::TestLightSample& point) const {
         return glm::normalize(glm::dvec3(point.position) - glm::dvec3(reference_));
     }
 
     DirectionCone coneOfSamples() const {
         glm::dvec3 sum(0.0);
-        for (const gpu::TestLightSample& point : samples_)
+        for (const shared::TestLightSample& point : samples_)
             sum += directionTo(point);
         const glm::dvec3 axis = glm::normalize(sum);
         double widest = 0.0; // 1 - cosine
-        for (const gpu::TestLightSample& point : samples_)
+        for (const shared::TestLightSample& point : samples_)
             widest = std::max(widest, 1.0 - glm::dot(directionTo(point), axis));
         const bool isAllAround = glm::length(sum) < 0.5 * kSamples;
         return {rotationTakingYTo(axis), isAllAround ? -1.0 : std::max(-1.0, 1.0 - 1.1 * widest)};
@@ -151,12 +151,12 @@ protected:
 
     GpuScene packed_;
     glm::vec3 reference_;
-    std::vector<gpu::TestLightSample> samples_;
+    std::vector<shared::TestLightSample> samples_;
 
 private:
     void sample() {
         RandomNumbers random(33);
-        std::vector<gpu::TestLightQuery> queries;
+        std::vector<shared::TestLightQuery> queries;
         for (uint32_t i = 0; i < kSamples; ++i)
             queries.push_back({reference_,
                                0,
@@ -169,14 +169,14 @@ private:
             for (const float y : {0.0f, 1.0f - 0x1p-24f})
                 queries.push_back({reference_, 0, {x, y, 0.0f, 0.0f}, 1, 0, 0, 0});
         const SceneBuffers buffers(testDevice(), packed_);
-        samples_ = runKernel<gpu::TestLightSample>(kLightSampleSpirv, queries, buffers.bindings(),
-                                                   kTestInputBinding);
+        samples_ = runKernel<shared::TestLightSample>(kLightSampleSpirv, queries,
+                                                      buffers.bindings(), kTestInputBinding);
     }
 };
 
 TEST_P(LightSampling, LiesOnTheLightWithOneDensity) {
     double worstPdf = 0.0;
-    for (const gpu::TestLightSample& point : samples_) {
+    for (const shared::TestLightSample& point : samples_) {
         ASSERT_TRUE(std::isfinite(point.pdf) && point.pdf >= 0.0f);
         EXPECT_LE(distanceFromLight(point), point.error);
         const glm::dvec3 toReference = glm::dvec3(reference_) - glm::dvec3(point.position);
@@ -194,7 +194,7 @@ TEST_P(LightSampling, LiesOnTheLightWithOneDensity) {
 TEST_P(LightSampling, IntegratesToTheSolidAngle) {
     const DirectionCone cone = coneOfSamples();
     Moments sampled;
-    for (const gpu::TestLightSample& point : samples_)
+    for (const shared::TestLightSample& point : samples_)
         cone.addTo(sampled, directionTo(point), point.pdf > 0.0f ? 1.0 / point.pdf : 0.0);
     Moments traced;
     RandomNumbers random(34);

@@ -30,13 +30,13 @@ glm::dvec3 atHeight(double height, const glm::dvec3& normal, RandomNumbers& rand
 
 /// A surface whose interpolated normal leans as far from the true one as `lean` (sine), and whose
 /// texture coordinates are sheared and of either handedness.
-gpu::TestNormalMap randomSurface(double lean, RandomNumbers& random) {
+shared::TestNormalMap randomSurface(double lean, RandomNumbers& random) {
     const glm::dvec3 ng = random.direction();
     const glm::dvec3 n = glm::normalize(ng + lean * random.inBall());
     const double length = random.powerOfTen(-4.0, 4.0);
     const glm::dvec3 u = glm::normalize(glm::cross(ng, random.direction()));
     const glm::dvec3 v = random.sign() * glm::cross(ng, u) + random.between(-1.0, 1.0) * u;
-    gpu::TestNormalMap surface{};
+    shared::TestNormalMap surface{};
     surface.ng = glm::vec3(ng);
     surface.n = glm::vec3(n);
     surface.dpdu = glm::vec3(length * u);
@@ -47,7 +47,7 @@ gpu::TestNormalMap randomSurface(double lean, RandomNumbers& random) {
 }
 
 /// The format's frame T, B, N and 2 c - 1 in it, mirrored where it leaves the true surface's side.
-glm::dvec3 oracleMapped(const gpu::TestNormalMap& surface) {
+glm::dvec3 oracleMapped(const shared::TestNormalMap& surface) {
     const glm::dvec3 n(surface.n);
     const glm::dvec3 ng(surface.ng);
     const glm::dvec3 dpdu(surface.dpdu);
@@ -61,14 +61,14 @@ glm::dvec3 oracleMapped(const gpu::TestNormalMap& surface) {
 
 class ShadingNormal : public GpuTest {
 protected:
-    std::vector<gpu::TestNormals> run(const std::vector<gpu::TestNormalMap>& queries) {
-        return runKernel<gpu::TestNormals>(kShadingNormalSpirv, queries);
+    std::vector<shared::TestNormals> run(const std::vector<shared::TestNormalMap>& queries) {
+        return runKernel<shared::TestNormals>(kShadingNormalSpirv, queries);
     }
 };
 
 TEST_F(ShadingNormal, OfAFlatMapIsTheSurfaces) {
     RandomNumbers random(141);
-    std::vector<gpu::TestNormalMap> queries;
+    std::vector<shared::TestNormalMap> queries;
     for (int i = 0; i < 10'000; ++i)
         queries.push_back(randomSurface(0.9, random));
     const auto results = run(queries);
@@ -79,7 +79,7 @@ TEST_F(ShadingNormal, OfAFlatMapIsTheSurfaces) {
 // Red tilts it to where u grows and no way else, green to where v grows, whatever the handedness.
 TEST_F(ShadingNormal, TiltsToWhereTheCoordinatesGrow) {
     RandomNumbers random(142);
-    std::vector<gpu::TestNormalMap> queries;
+    std::vector<shared::TestNormalMap> queries;
     for (int i = 0; i < 10'000; ++i) {
         queries.push_back(randomSurface(0.2, random));
         const double tilt = random.sign() * random.between(0.05, 0.3);
@@ -87,7 +87,7 @@ TEST_F(ShadingNormal, TiltsToWhereTheCoordinatesGrow) {
     }
     const auto results = run(queries);
     for (size_t i = 0; i < queries.size(); ++i) {
-        const gpu::TestNormalMap& query = queries[i];
+        const shared::TestNormalMap& query = queries[i];
         const glm::dvec3 n(query.n);
         const glm::dvec3 mapped(results[i].mapped);
         const glm::dvec3 u =
@@ -104,7 +104,7 @@ TEST_F(ShadingNormal, TiltsToWhereTheCoordinatesGrow) {
 
 TEST_F(ShadingNormal, OfAnyMapIsTheFormatsAndUnitAndOnTheTrueSide) {
     RandomNumbers random(143);
-    std::vector<gpu::TestNormalMap> queries;
+    std::vector<shared::TestNormalMap> queries;
     for (int i = 0; i < 50'000; ++i) {
         queries.push_back(randomSurface(0.9, random));
         queries.back().texel = glm::vec3(random.unit(), random.unit(), random.unit());
@@ -122,7 +122,7 @@ TEST_F(ShadingNormal, OfAnyMapIsTheFormatsAndUnitAndOnTheTrueSide) {
 
 TEST_F(ShadingNormal, IsTheSurfacesWhereTheMapOrItsFrameSaysNothing) {
     RandomNumbers random(144);
-    std::vector<gpu::TestNormalMap> queries;
+    std::vector<shared::TestNormalMap> queries;
     for (int i = 0; i < 100; ++i) {
         queries.push_back(randomSurface(0.5, random)); // no direction
         queries.back().texel = glm::vec3(0.5f);
@@ -138,9 +138,9 @@ TEST_F(ShadingNormal, IsTheSurfacesWhereTheMapOrItsFrameSaysNothing) {
 // u along the normal, v along u, and lengths at the ends of float's range.
 TEST_F(ShadingNormal, IsUnitForDirectionsThatAreNoFrame) {
     RandomNumbers random(145);
-    std::vector<gpu::TestNormalMap> queries;
+    std::vector<shared::TestNormalMap> queries;
     for (int i = 0; i < 1000; ++i) {
-        gpu::TestNormalMap query = randomSurface(0.5, random);
+        shared::TestNormalMap query = randomSurface(0.5, random);
         query.texel = glm::vec3(random.unit(), random.unit(), random.unit());
         if (i % 4 == 0)
             query.dpdu = query.n;
@@ -152,7 +152,7 @@ TEST_F(ShadingNormal, IsUnitForDirectionsThatAreNoFrame) {
             query.dpdu *= 1e-25f, query.dpdv *= 1e-25f;
         queries.push_back(query);
     }
-    for (const gpu::TestNormals& result : run(queries))
+    for (const shared::TestNormals& result : run(queries))
         ASSERT_NEAR(glm::length(glm::dvec3(result.mapped)), 1.0, kRounding);
 }
 
@@ -160,7 +160,7 @@ TEST_F(ShadingNormal, IsUnitForDirectionsThatAreNoFrame) {
 // straight beneath it. The last lose digits: what is left of them after the lift is short.
 TEST_F(ShadingNormal, IsBentUntilTheMirroredViewerIsAboveTheSurface) {
     RandomNumbers random(146);
-    std::vector<gpu::TestNormalMap> queries;
+    std::vector<shared::TestNormalMap> queries;
     for (int i = 0; i < 200'000; ++i) {
         queries.push_back(randomSurface(0.0, random));
         const glm::dvec3 ng(queries.back().ng);

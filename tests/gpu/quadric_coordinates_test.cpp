@@ -19,19 +19,19 @@ double aroundCircle(double a, double b) {
 }
 
 /// A quadric near the origin, at some scale, upright or turned, of any proportion.
-std::vector<gpu::Quadric> nearbyQuadrics(uint32_t kind, RandomNumbers& random) {
-    std::vector<gpu::Quadric> quadrics = variedQuadrics(kind, random);
-    for (gpu::Quadric& quadric : quadrics)
+std::vector<shared::Quadric> nearbyQuadrics(uint32_t kind, RandomNumbers& random) {
+    std::vector<shared::Quadric> quadrics = variedQuadrics(kind, random);
+    for (shared::Quadric& quadric : quadrics)
         quadric.center = glm::vec3(random.inBall() * double(quadric.radius));
     return quadrics;
 }
 
-double sizeOf(const gpu::Quadric& quadric) { return quadric.radius + std::abs(quadric.extent); }
+double sizeOf(const shared::Quadric& quadric) { return quadric.radius + std::abs(quadric.extent); }
 
 /// Rays that meet each quadric from about its size away, steeply.
-std::vector<gpu::TestRay> raysOnto(const std::vector<gpu::Quadric>& quadrics, int raysEach,
-                                   RandomNumbers& random) {
-    std::vector<gpu::TestRay> rays;
+std::vector<shared::TestRay> raysOnto(const std::vector<shared::Quadric>& quadrics, int raysEach,
+                                      RandomNumbers& random) {
+    std::vector<shared::TestRay> rays;
     for (uint32_t i = 0; i < quadrics.size(); ++i)
         for (int k = 0; k < raysEach; ++k) {
             const LocalPoint point = randomSurfacePoint(quadrics[i], random);
@@ -39,7 +39,8 @@ std::vector<gpu::TestRay> raysOnto(const std::vector<gpu::Quadric>& quadrics, in
                 sizeOf(quadrics[i]) * glm::normalize(point.normal + 0.7 * random.inBall());
             const glm::dvec3 target = worldPoint(quadrics[i], point.position);
             const glm::dvec3 origin = worldPoint(quadrics[i], point.position + outward);
-            rays.push_back(testRay(origin, glm::normalize(target - origin), i | gpu::kQuadricBit));
+            rays.push_back(
+                testRay(origin, glm::normalize(target - origin), i | shared::kQuadricBit));
         }
     return rays;
 }
@@ -57,7 +58,7 @@ protected:
         const auto results = coordinatesAt(PrimitiveScene::ofQuadrics(quadrics), rays);
         size_t checked = 0;
         for (size_t i = 0; i < rays.size(); ++i) {
-            const gpu::Quadric& quadric = quadrics[rays[i].primitive & ~gpu::kQuadricBit];
+            const shared::Quadric& quadric = quadrics[rays[i].primitive & ~shared::kQuadricBit];
             const glm::dvec3 point = localPoint(quadric, glm::dvec3(results[i].position));
             const double error = 16.0 * kRoundoffOfFloat * 3.0 * sizeOf(quadric);
             const NearestFace face = nearestFace(quadric, point);
@@ -73,13 +74,13 @@ protected:
 };
 
 TEST_P(QuadricCoordinates, AreTheFormats) {
-    forEachHit([](const gpu::Quadric& quadric, bool isFlat, const gpu::TestCoordinates& hit,
+    forEachHit([](const shared::Quadric& quadric, bool isFlat, const shared::TestCoordinates& hit,
                   const glm::dvec3& point, double error) {
         const glm::dvec2 wanted = oracleCoordinates(quadric, isFlat, point);
         const double radius = std::hypot(point.x, point.z);
-        const double scaleOfV = quadric.kind == gpu::kSphere ? quadric.radius
-                                : isFlat                     ? 2.0 * quadric.radius
-                                                             : std::abs(quadric.extent);
+        const double scaleOfV = quadric.kind == shared::kSphere ? quadric.radius
+                                : isFlat                        ? 2.0 * quadric.radius
+                                                                : std::abs(quadric.extent);
         const double errorU = kAngleError + error / (isFlat ? 2.0 * quadric.radius : radius);
         ASSERT_NEAR(isFlat ? std::abs(hit.u - wanted.x) : aroundCircle(hit.u, wanted.x), 0.0,
                     errorU);
@@ -92,7 +93,7 @@ TEST_P(QuadricCoordinates, AreTheFormats) {
 }
 
 TEST_P(QuadricCoordinates, GrowAlongTheirDirections) {
-    forEachHit([](const gpu::Quadric& quadric, bool isFlat, const gpu::TestCoordinates& hit,
+    forEachHit([](const shared::Quadric& quadric, bool isFlat, const shared::TestCoordinates& hit,
                   const glm::dvec3& point, double error) {
         const double radius = std::hypot(point.x, point.z);
         if (!isFlat && radius < 1e-3 * quadric.radius)
@@ -112,16 +113,16 @@ TEST_P(QuadricCoordinates, GrowAlongTheirDirections) {
 }
 
 TEST_P(QuadricCoordinates, GrowAlongTheSurface) {
-    forEachHit([](const gpu::Quadric& quadric, bool isFlat, const gpu::TestCoordinates& hit,
+    forEachHit([](const shared::Quadric& quadric, bool isFlat, const shared::TestCoordinates& hit,
                   const glm::dvec3& point, double error) {
         const double radius = std::hypot(point.x, point.z);
         glm::dvec3 normal(0.0, 1.0, 0.0);
-        if (!isFlat && quadric.kind == gpu::kSphere)
+        if (!isFlat && quadric.kind == shared::kSphere)
             normal = glm::normalize(point);
-        if (!isFlat && quadric.kind != gpu::kSphere)
+        if (!isFlat && quadric.kind != shared::kSphere)
             normal = {point.x / radius,
-                      quadric.kind == gpu::kCone ? -quadric.slope * std::copysign(1.0, point.y)
-                                                 : 0.0,
+                      quadric.kind == shared::kCone ? -quadric.slope * std::copysign(1.0, point.y)
+                                                    : 0.0,
                       point.z / radius};
         if (!isFlat && radius < 1e-3 * quadric.radius)
             return;
@@ -135,23 +136,23 @@ TEST_P(QuadricCoordinates, GrowAlongTheSurface) {
 
 // Where u has no direction the answers are numbers all the same.
 TEST_P(QuadricCoordinates, AreFiniteOnTheAxis) {
-    std::vector<gpu::Quadric> quadrics;
+    std::vector<shared::Quadric> quadrics;
     for (const float extent : {1.5f, -1.5f}) {
-        gpu::Quadric quadric{};
+        shared::Quadric quadric{};
         quadric.kind = GetParam();
         quadric.axisX = {1, 0, 0};
         quadric.axisY = {0, 1, 0};
         quadric.axisZ = {0, 0, 1};
         quadric.slope = 0.5f;
         quadric.radius = 0.75f;
-        quadric.extent = GetParam() == gpu::kCone ? extent : 1.5f;
+        quadric.extent = GetParam() == shared::kCone ? extent : 1.5f;
         quadrics.push_back(quadric);
     }
-    std::vector<gpu::TestRay> rays;
+    std::vector<shared::TestRay> rays;
     for (uint32_t i = 0; i < 2; ++i)
         for (const double side : {1.0, -1.0})
             rays.push_back(
-                testRay({0.0, 4.0 * side, 0.0}, {0.0, -side, 0.0}, i | gpu::kQuadricBit));
+                testRay({0.0, 4.0 * side, 0.0}, {0.0, -side, 0.0}, i | shared::kQuadricBit));
     for (const auto& hit : coordinatesAt(PrimitiveScene::ofQuadrics(quadrics), rays)) {
         EXPECT_LT(hit.t, 10.0f);
         EXPECT_TRUE(hit.u >= 0.0f && hit.u <= 1.0f && hit.v >= 0.0f && hit.v <= 1.0f);

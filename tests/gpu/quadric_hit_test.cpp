@@ -15,12 +15,12 @@ TEST_P(QuadricHit, IsThatOfASurfaceWithinRounding) {
     const auto [kind, rayKind] = GetParam();
     constexpr uint32_t kRaysPerQuadric = 1000;
     RandomNumbers random(1000 * kind + static_cast<uint32_t>(rayKind));
-    const std::vector<gpu::Quadric> quadrics = variedQuadrics(kind, random);
-    std::vector<gpu::TestRay> rays;
+    const std::vector<shared::Quadric> quadrics = variedQuadrics(kind, random);
+    std::vector<shared::TestRay> rays;
     for (uint32_t i = 0; i < quadrics.size() * kRaysPerQuadric; ++i) {
         const uint32_t index = i / kRaysPerQuadric;
         const AimedRay ray = aimRay(rayKind, quadrics[index], random);
-        rays.push_back(testRay(ray.origin, ray.direction, index | gpu::kQuadricBit));
+        rays.push_back(testRay(ray.origin, ray.direction, index | shared::kQuadricBit));
     }
     const auto hits = PrimitiveScene::ofQuadrics(quadrics).hits(rays);
     QuadricErrors errors;
@@ -33,7 +33,7 @@ TEST_P(QuadricHit, IsThatOfASurfaceWithinRounding) {
     EXPECT_LE(errors.roundoffs, kAllowedRoundoffs) << errors.worstRay;
     EXPECT_LE(errors.positionShare, 1.0) << errors.worstPosition;
     EXPECT_LE(errors.normalShare, 1.0);
-    if (rayKind == RayKind::Outside || (rayKind == RayKind::Inside && kind != gpu::kDisk)) {
+    if (rayKind == RayKind::Outside || (rayKind == RayKind::Inside && kind != shared::kDisk)) {
         EXPECT_LE(errors.disagreements, 2u);
     }
 }

@@ -12,8 +12,8 @@ namespace {
 
 constexpr uint32_t kAllOnes = 0xFFFFFFFFu;
 
-std::vector<gpu::TestRandom> randoms(const std::vector<glm::uvec4>& words) {
-    return runKernel<gpu::TestRandom>(kRandomSpirv, words);
+std::vector<shared::TestRandom> randoms(const std::vector<glm::uvec4>& words) {
+    return runKernel<shared::TestRandom>(kRandomSpirv, words);
 }
 
 /// pcg4d, transcribed from Jarzynski and Olano 2020, listing of pcg4d.

@@ -21,17 +21,17 @@ protected:
         settings_.height = kHeight;
     }
 
-    std::vector<gpu::ListedRay> list(RayKind kind) const {
+    std::vector<shared::ListedRay> list(RayKind kind) const {
         return listRays(testDevice(), packed_, buffers_, settings_, kind);
     }
 
     uint32_t hitsOf(RayKind kind) const {
-        const std::vector<gpu::ListedRay> rays = list(kind);
+        const std::vector<shared::ListedRay> rays = list(kind);
         RayListTracer tracer(testDevice(), packed_, buffers_, rays, kind);
         tracer.trace();
         uint32_t hits = 0;
-        for (const gpu::ListedHit& hit : tracer.hits())
-            hits += hit.primitive != gpu::kNone ? 1 : 0;
+        for (const shared::ListedHit& hit : tracer.hits())
+            hits += hit.primitive != shared::kNone ? 1 : 0;
         return hits;
     }
 
@@ -52,9 +52,9 @@ private:
 };
 
 TEST_F(RayListTest, EveryPixelHasAPrimaryRayFromTheCamera) {
-    const std::vector<gpu::ListedRay> rays = list(RayKind::afterBounces(0));
+    const std::vector<shared::ListedRay> rays = list(RayKind::afterBounces(0));
     ASSERT_EQ(rays.size(), kWidth * kHeight);
-    for (const gpu::ListedRay& ray : rays) {
+    for (const shared::ListedRay& ray : rays) {
         EXPECT_EQ(ray.origin, rays.front().origin);
         EXPECT_NEAR(glm::length(ray.direction), 1.0f, 1e-6f);
         EXPECT_LT(ray.direction.z, 0.0f);
@@ -63,10 +63,10 @@ TEST_F(RayListTest, EveryPixelHasAPrimaryRayFromTheCamera) {
 }
 
 TEST_F(RayListTest, ShadowRaysLeaveTheFloorForTheLamp) {
-    const std::vector<gpu::ListedRay> rays = list(RayKind::shadow());
+    const std::vector<shared::ListedRay> rays = list(RayKind::shadow());
     EXPECT_NEAR(static_cast<double>(rays.size()), kWidth * kHeight / 2, kWidth);
-    for (const gpu::ListedRay& ray : rays) {
-        EXPECT_NE(ray.target, gpu::kNone);
+    for (const shared::ListedRay& ray : rays) {
+        EXPECT_NE(ray.target, shared::kNone);
         EXPECT_NEAR((ray.tMax * ray.direction).y, 4.0f, 1e-4f); // from the floor to the lamp
     }
     EXPECT_EQ(hitsOf(RayKind::shadow()), 0u);

@@ -16,9 +16,9 @@ namespace {
 constexpr double kAllowedRoundoffs = 16.0; ///< as in quadric_hit_test.cpp
 
 struct Departure {
-    const gpu::Quadric* quadric;
+    const shared::Quadric* quadric;
     double side; ///< 1: outward, -1: inward
-    gpu::TestRay ray;
+    shared::TestRay ray;
 };
 
 bool isAimedAtAnEdge(RayKind kind) {
@@ -26,15 +26,15 @@ bool isAimedAtAnEdge(RayKind kind) {
            kind == RayKind::FacePlane;
 }
 
-std::vector<gpu::TestRay> arrivals(const std::vector<gpu::Quadric>& quadrics, bool atEdges,
-                                   RandomNumbers& random) {
+std::vector<shared::TestRay> arrivals(const std::vector<shared::Quadric>& quadrics, bool atEdges,
+                                      RandomNumbers& random) {
     constexpr uint32_t kRaysEach = 300;
-    std::vector<gpu::TestRay> rays;
+    std::vector<shared::TestRay> rays;
     for (uint32_t index = 0; index < quadrics.size(); ++index) {
         for (const RayKind kind : kAllRayKinds) {
             for (uint32_t i = 0; i < kRaysEach && isAimedAtAnEdge(kind) == atEdges; ++i) {
                 const AimedRay ray = aimRay(kind, quadrics[index], random);
-                rays.push_back(testRay(ray.origin, ray.direction, index | gpu::kQuadricBit));
+                rays.push_back(testRay(ray.origin, ray.direction, index | shared::kQuadricBit));
             }
         }
     }
@@ -51,18 +51,18 @@ glm::dvec3 departingDirection(const glm::dvec3& normal, RandomNumbers& random) {
 }
 
 std::vector<Departure> departuresFrom(const PrimitiveScene& scene,
-                                      const std::vector<gpu::TestRay>& arriving,
+                                      const std::vector<shared::TestRay>& arriving,
                                       RandomNumbers& random) {
-    const std::vector<gpu::TestHit> hits = scene.hits(arriving);
-    std::vector<gpu::TestOffset> points;
+    const std::vector<shared::TestHit> hits = scene.hits(arriving);
+    std::vector<shared::TestOffset> points;
     std::vector<Departure> departures;
-    for (const gpu::TestHit& hit : hits) {
+    for (const shared::TestHit& hit : hits) {
         if (hit.t == kFar)
             continue;
         const double side = random.sign();
         const glm::vec3 normal = static_cast<float>(side) * hit.ng;
         points.push_back({hit.position, hit.error, normal, 0.0f});
-        const uint32_t index = hit.primitive & ~gpu::kQuadricBit;
+        const uint32_t index = hit.primitive & ~shared::kQuadricBit;
         departures.push_back(
             {&scene.packed().quadrics[index], side,
              testRay({}, departingDirection(glm::normalize(glm::dvec3(normal)), random),
@@ -109,20 +109,20 @@ class Reintersection : public GpuTest, public testing::WithParamInterface<Parame
 TEST_P(Reintersection, HappensAtTheFarSideOnly) {
     const auto [kind, atEdges] = GetParam();
     RandomNumbers random(kind);
-    const std::vector<gpu::Quadric> quadrics = variedQuadrics(kind, random);
+    const std::vector<shared::Quadric> quadrics = variedQuadrics(kind, random);
     const PrimitiveScene scene = PrimitiveScene::ofQuadrics(quadrics);
     const std::vector<Departure> departures =
         departuresFrom(scene, arrivals(quadrics, atEdges, random), random);
-    std::vector<gpu::TestRay> rays;
+    std::vector<shared::TestRay> rays;
     for (const Departure& departure : departures)
         rays.push_back(departure.ray);
-    const std::vector<gpu::TestHit> hits = scene.hits(rays);
+    const std::vector<shared::TestHit> hits = scene.hits(rays);
 
     Mistakes mistakes;
     for (size_t i = 0; i < rays.size(); ++i) {
         const Departure& departure = departures[i];
         const float t = hits[i].t;
-        if (departure.side > 0.0 || kind == gpu::kDisk) {
+        if (departure.side > 0.0 || kind == shared::kDisk) {
             if (t < kFar)
                 mistakes.add(mistakes.selfHits, departure, t);
             continue;

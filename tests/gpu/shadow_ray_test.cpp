@@ -22,17 +22,17 @@ struct WallPoints {
 };
 
 WallPoints wallPoints(const PrimitiveScene& scene, double radius, RandomNumbers& random) {
-    std::vector<gpu::TestRay> rays;
+    std::vector<shared::TestRay> rays;
     for (uint32_t i = 0; i < 2 * kRays; ++i)
-        rays.push_back(testRay(radius * random.inBall(), random.direction(), gpu::kNone));
+        rays.push_back(testRay(radius * random.inBall(), random.direction(), shared::kNone));
     const auto found = scene.traverse(rays);
     for (size_t i = 0; i < rays.size(); ++i)
         rays[i].primitive = found[i].primitive;
-    std::erase_if(rays, [](const auto& ray) { return ray.primitive == gpu::kNone; });
+    std::erase_if(rays, [](const auto& ray) { return ray.primitive == shared::kNone; });
     EXPECT_EQ(rays.size(), 2 * kRays) << "rays escaped from the room";
-    std::vector<gpu::TestOffset> offsets;
+    std::vector<shared::TestOffset> offsets;
     WallPoints points;
-    for (const gpu::TestHit& hit : scene.hits(rays)) {
+    for (const shared::TestHit& hit : scene.hits(rays)) {
         offsets.push_back({hit.position, hit.error, -hit.ng, 0.0f});
         points.primitives.push_back(hit.primitive);
     }
@@ -41,12 +41,12 @@ WallPoints wallPoints(const PrimitiveScene& scene, double radius, RandomNumbers&
 }
 
 /// One ray from each point of the first half to one of the second.
-std::vector<gpu::TestRay> shadowRays(const WallPoints& points) {
-    std::vector<gpu::TestRay> rays;
+std::vector<shared::TestRay> shadowRays(const WallPoints& points) {
+    std::vector<shared::TestRay> rays;
     const size_t half = points.positions.size() / 2;
     for (size_t i = 0; i < half; ++i) {
         const glm::vec3 origin = points.positions[i];
-        gpu::TestRay ray =
+        shared::TestRay ray =
             testRay(glm::dvec3(origin), glm::dvec3(points.positions[i + half] - origin),
                     points.primitives[i + half]);
         ray.tMax = 1.0f;
@@ -62,8 +62,9 @@ protected:
         const PrimitiveScene scene(packAsProgram(sceneOf({shapeOf(room)})).packed);
         RandomNumbers random(81);
         const auto hits = scene.traverse(shadowRays(wallPoints(scene, innerRadius, random)));
-        return static_cast<uint32_t>(std::count_if(
-            hits.begin(), hits.end(), [](const auto& hit) { return hit.primitive != gpu::kNone; }));
+        return static_cast<uint32_t>(std::count_if(hits.begin(), hits.end(), [](const auto& hit) {
+            return hit.primitive != shared::kNone;
+        }));
     }
 };
 
@@ -80,16 +81,16 @@ TEST_F(ShadowRay, IsBlockedByWhatLiesBetween) {
     const GpuScene packed = packAsProgram(sceneOf({room, obstacle})).packed;
     const PrimitiveScene scene(packed);
     RandomNumbers random(82);
-    const std::vector<gpu::TestRay> rays = shadowRays(wallPoints(scene, 1.0, random));
+    const std::vector<shared::TestRay> rays = shadowRays(wallPoints(scene, 1.0, random));
     const auto hits = scene.traverse(rays);
-    const gpu::Quadric& between = packed.quadrics[packed.quadrics[0].id == 1 ? 0 : 1];
+    const shared::Quadric& between = packed.quadrics[packed.quadrics[0].id == 1 ? 0 : 1];
     uint32_t blockedRays = 0;
     for (size_t i = 0; i < rays.size(); ++i) {
-        if (packed.quadrics[rays[i].primitive & ~gpu::kQuadricBit].id == 1)
+        if (packed.quadrics[rays[i].primitive & ~shared::kQuadricBit].id == 1)
             continue; // its target is the obstacle itself
         const AllowedAnswers allowed =
             allowedAnswers(between, lineOf(rays[i]), 16.0L * kRoundoff * 6.0L);
-        const bool blocked = hits[i].primitive != gpu::kNone;
+        const bool blocked = hits[i].primitive != shared::kNone;
         blockedRays += blocked ? 1 : 0;
         EXPECT_TRUE(blocked ? !allowed.entry.isEmpty() || !allowed.exit.isEmpty() : allowed.miss);
     }

@@ -27,8 +27,8 @@ struct SmoothTriangle {
     double reach() const { return glm::length(corners[0]) + glm::length(corners[1] - corners[0]); }
 };
 
-gpu::TestSmoothPoint pointOf(const SmoothTriangle& triangle, const glm::dvec2& b, double side) {
-    gpu::TestSmoothPoint point{};
+shared::TestSmoothPoint pointOf(const SmoothTriangle& triangle, const glm::dvec2& b, double side) {
+    shared::TestSmoothPoint point{};
     point.triangle.v0 = glm::vec3(triangle.corners[0]);
     point.triangle.v1 = glm::vec3(triangle.corners[1]);
     point.triangle.v2 = glm::vec3(triangle.corners[2]);
@@ -81,7 +81,7 @@ std::vector<SmoothTriangle> sphereTriangles(uint32_t level, double radius) {
 
 class TerminatorOffset : public GpuTest {
 protected:
-    std::vector<glm::dvec3> run(const std::vector<gpu::TestSmoothPoint>& points) {
+    std::vector<glm::dvec3> run(const std::vector<shared::TestSmoothPoint>& points) {
         std::vector<glm::dvec3> offsets;
         for (const glm::vec4& offset : runKernel<glm::vec4>(kTerminatorSpirv, points))
             offsets.emplace_back(offset);
@@ -92,7 +92,7 @@ protected:
 // But for the rounding of the point, which may put it a little beneath its plane.
 TEST_F(TerminatorOffset, IsZeroWhereTheSurfaceIsFlatOrConcave) {
     RandomNumbers random(171);
-    std::vector<gpu::TestSmoothPoint> points;
+    std::vector<shared::TestSmoothPoint> points;
     std::vector<double> reaches;
     for (int i = 0; i < 20'000; ++i) {
         const double lean = i % 2 == 0 ? 0.0 : random.between(0.0, 0.8);
@@ -109,7 +109,7 @@ TEST_F(TerminatorOffset, IsZeroWhereTheSurfaceIsFlatOrConcave) {
 
 TEST_F(TerminatorOffset, IsZeroAtTheCornersAndTowardsTheLightBetween) {
     RandomNumbers random(172);
-    std::vector<gpu::TestSmoothPoint> points;
+    std::vector<shared::TestSmoothPoint> points;
     std::vector<glm::dvec3> normals;
     for (int i = 0; i < 4000; ++i) {
         const double side = random.sign();
@@ -138,7 +138,7 @@ TEST_F(TerminatorOffset, BringsThePointOntoTheOutsideOfASphere) {
     RandomNumbers random(173);
     for (const double radius : {1e-3, 1.0, 50.0})
         for (const uint32_t level : {1u, 2u, 3u}) {
-            std::vector<gpu::TestSmoothPoint> points;
+            std::vector<shared::TestSmoothPoint> points;
             for (const SmoothTriangle& triangle : sphereTriangles(level, radius))
                 for (int i = 0; i < 20; ++i)
                     points.push_back(pointOf(triangle, randomBarycentrics(random), 1.0));
@@ -155,7 +155,7 @@ TEST_F(TerminatorOffset, BringsThePointOntoTheOutsideOfASphere) {
 
 TEST_F(TerminatorOffset, IsZeroOnATriangleWithoutNormalsAndFiniteOnOneWithoutArea) {
     RandomNumbers random(174);
-    std::vector<gpu::TestSmoothPoint> points;
+    std::vector<shared::TestSmoothPoint> points;
     for (int i = 0; i < 1000; ++i) {
         SmoothTriangle triangle = leaningTriangle(0.5, random);
         for (int k = 0; k < 3; ++k) {

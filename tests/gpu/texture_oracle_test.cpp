@@ -100,7 +100,7 @@ protected:
     template <typename Coordinates>
     void expectAsOracle(const PackedTextures& packed, int count, const Coordinates& uvFor) {
         RandomNumbers random(101);
-        std::vector<gpu::TestTextureRead> reads;
+        std::vector<shared::TestTextureRead> reads;
         for (uint32_t i = 0; i < packed.textures().size(); ++i)
             for (int k = 0; k < count; ++k)
                 reads.push_back({uvFor(packed.textures()[i], random), i, random.below(2)});

@@ -21,7 +21,7 @@ TEST_F(TextureTexel, IsTheTexelItselfAtItsCentre) {
     for (uint32_t index = 0; index < packed.textures().size(); ++index) {
         const Texture& texture = packed.textures()[index];
         const TexelImage& image = imageOf(texture);
-        std::vector<gpu::TestTextureRead> reads;
+        std::vector<shared::TestTextureRead> reads;
         for (uint32_t row = 0; row < image.height; ++row)
             for (uint32_t column = 0; column < image.width; ++column)
                 reads.push_back(
@@ -73,7 +73,7 @@ TEST_F(TextureTexel, SurvivesCoordinatesWithoutBound) {
     RandomNumbers random(108);
     const PackedTextures packed(
         variedTextures({{5, 3, true, true}, {16, 16, false, false}}, random));
-    std::vector<gpu::TestTextureRead> reads;
+    std::vector<shared::TestTextureRead> reads;
     for (uint32_t i = 0; i < packed.textures().size(); ++i)
         for (const float u : {-3e38f, -1e30f, -1e10f, 1e10f, 1e30f, 3e38f})
             reads.push_back({{u, 0.5f}, i, 0});

@@ -43,15 +43,15 @@ Shape randomShape(const glm::dvec3& center, double size, RandomNumbers& random) 
 
 /// What the loops of the rendering kernels find.
 std::vector<PrimitiveScene::Traversed>
-traceList(const GpuScene& scene, const std::vector<gpu::TestRay>& rays, RayKind kind) {
-    std::vector<gpu::ListedRay> listed;
-    for (const gpu::TestRay& ray : rays)
-        listed.push_back({ray.origin, ray.tMax, ray.direction, gpu::kNone});
+traceList(const GpuScene& scene, const std::vector<shared::TestRay>& rays, RayKind kind) {
+    std::vector<shared::ListedRay> listed;
+    for (const shared::TestRay& ray : rays)
+        listed.push_back({ray.origin, ray.tMax, ray.direction, shared::kNone});
     const SceneBuffers buffers(testDevice(), scene);
     RayListTracer tracer(testDevice(), scene, buffers, listed, kind);
     tracer.trace();
     std::vector<PrimitiveScene::Traversed> found;
-    for (const gpu::ListedHit& hit : tracer.hits())
+    for (const shared::ListedHit& hit : tracer.hits())
         found.push_back({hit.t, hit.primitive, 0, 0});
     return found;
 }
@@ -81,7 +81,7 @@ std::vector<Shape> makeCrowd(const Crowd& crowd, RandomNumbers& random) {
     return shapes;
 }
 
-AllowedAnswers triangleAnswers(const gpu::Triangle& triangle, const Line& line) {
+AllowedAnswers triangleAnswers(const shared::Triangle& triangle, const Line& line) {
     const TriangleCrossing crossing = crossTriangle(triangle, line);
     const Real margin = kAllowedRoundoffs * kRoundoff * crossing.reach;
     const Real tError = 8.0L * margin * crossing.magnification / glm::length(line.direction);
@@ -97,10 +97,10 @@ public:
     explicit BruteForce(const GpuScene& scene) : scene_(scene) {}
 
     /// The sentence that says what is wrong with an answer; empty if nothing is.
-    std::string judge(const gpu::TestRay& ray, const PrimitiveScene::Traversed& hit) const {
+    std::string judge(const shared::TestRay& ray, const PrimitiveScene::Traversed& hit) const {
         const Line line = lineOf(ray);
-        const Real reached = hit.primitive == gpu::kNone ? Real(ray.tMax) : Real(hit.t);
-        if (hit.primitive != gpu::kNone && !answersOf(hit.primitive, line).contains(hit.t))
+        const Real reached = hit.primitive == shared::kNone ? Real(ray.tMax) : Real(hit.t);
+        if (hit.primitive != shared::kNone && !answersOf(hit.primitive, line).contains(hit.t))
             return "the primitive is not there";
         for (const uint32_t primitive : names()) {
             const AllowedAnswers allowed = answersOf(primitive, line);
@@ -116,14 +116,14 @@ private:
         for (uint32_t i = 0; i < scene_.triangles.size(); ++i)
             result.push_back(i);
         for (uint32_t i = 0; i < scene_.quadrics.size(); ++i)
-            result.push_back(i | gpu::kQuadricBit);
+            result.push_back(i | shared::kQuadricBit);
         return result;
     }
 
     AllowedAnswers answersOf(uint32_t primitive, const Line& line) const {
-        if ((primitive & gpu::kQuadricBit) == 0)
+        if ((primitive & shared::kQuadricBit) == 0)
             return triangleAnswers(scene_.triangles[primitive], line);
-        const gpu::Quadric& quadric = scene_.quadrics[primitive & ~gpu::kQuadricBit];
+        const shared::Quadric& quadric = scene_.quadrics[primitive & ~shared::kQuadricBit];
         const Real scale = roundingScale(quadric, line, firstHit(quadric, line));
         return allowedAnswers(quadric, line, kAllowedRoundoffs * kRoundoff * scale);
     }
@@ -132,8 +132,8 @@ private:
 };
 
 /// Rays from in and around the unit ball; every third one along an axis.
-std::vector<gpu::TestRay> makeRays(uint32_t count, RandomNumbers& random) {
-    std::vector<gpu::TestRay> rays;
+std::vector<shared::TestRay> makeRays(uint32_t count, RandomNumbers& random) {
+    std::vector<shared::TestRay> rays;
     for (uint32_t i = 0; i < count; ++i) {
         glm::dvec3 direction = random.direction();
         if (i % 3 == 0) {
@@ -141,7 +141,7 @@ std::vector<gpu::TestRay> makeRays(uint32_t count, RandomNumbers& random) {
             direction[static_cast<int>(random.below(3))] =
                 random.sign() * random.powerOfTen(-2.0, 2.0);
         }
-        rays.push_back(testRay(2.0 * random.inBall(), direction, gpu::kNone));
+        rays.push_back(testRay(2.0 * random.inBall(), direction, shared::kNone));
     }
     return rays;
 }
@@ -157,12 +157,13 @@ TEST_P(Traversal, FindsWhatBruteForceFinds) {
     const PrimitiveScene onDevice(built.packed);
     const BruteForce oracle(built.packed);
 
-    std::vector<gpu::TestRay> rays = makeRays(std::min(20'000u, kTests / GetParam().count), random);
+    std::vector<shared::TestRay> rays =
+        makeRays(std::min(20'000u, kTests / GetParam().count), random);
     const auto closest = onDevice.traverse(rays);
     const auto closestOfList = traceList(built.packed, rays, RayKind::afterBounces(0));
     uint32_t hits = 0;
     for (size_t i = 0; i < rays.size(); ++i) {
-        hits += closest[i].primitive != gpu::kNone ? 1 : 0;
+        hits += closest[i].primitive != shared::kNone ? 1 : 0;
         ASSERT_EQ(oracle.judge(rays[i], closest[i]), "") << "ray " << i;
         ASSERT_EQ(oracle.judge(rays[i], closestOfList[i]), "") << "listed ray " << i;
     }
@@ -172,14 +173,14 @@ TEST_P(Traversal, FindsWhatBruteForceFinds) {
     for (size_t i = 0; i < rays.size(); ++i) {
         rays[i].anyHit = 1;
         rays[i].tMax =
-            closest[i].primitive == gpu::kNone ? kFar : closest[i].t * (i % 2 ? 1.001f : 1.0f);
+            closest[i].primitive == shared::kNone ? kFar : closest[i].t * (i % 2 ? 1.001f : 1.0f);
     }
     const auto any = onDevice.traverse(rays);
     const auto anyOfList = traceList(built.packed, rays, RayKind::shadow());
     for (size_t i = 0; i < rays.size(); ++i) {
-        const bool reaches = closest[i].primitive != gpu::kNone && i % 2 == 1;
-        ASSERT_EQ(any[i].primitive != gpu::kNone, reaches) << "ray " << i;
-        ASSERT_EQ(anyOfList[i].primitive != gpu::kNone, reaches) << "listed ray " << i;
+        const bool reaches = closest[i].primitive != shared::kNone && i % 2 == 1;
+        ASSERT_EQ(any[i].primitive != shared::kNone, reaches) << "ray " << i;
+        ASSERT_EQ(anyOfList[i].primitive != shared::kNone, reaches) << "listed ray " << i;
     }
 }
 
@@ -200,7 +201,7 @@ TEST_F(TraversalCost, OfAxisAlignedRaysStaysLow) {
     // at the edges of boxes as well as between them. The tree is 15 deep.
     const PrimitiveScene scene(packAsProgram(sceneOf({shapeOf(cubeMesh(128))})).packed);
     RandomNumbers random(42);
-    std::vector<gpu::TestRay> rays;
+    std::vector<shared::TestRay> rays;
     for (uint32_t i = 0; i < 20'000; ++i) {
         glm::dvec3 origin;
         for (int axis = 0; axis < 3; ++axis)
@@ -210,11 +211,11 @@ TEST_F(TraversalCost, OfAxisAlignedRaysStaysLow) {
         direction[static_cast<int>(random.below(3))] = random.sign();
         // One ray alone in its subgroup, whose iterations are counted together.
         for (uint32_t copy = 0; copy < 8; ++copy)
-            rays.push_back(testRay(origin, direction, gpu::kNone));
+            rays.push_back(testRay(origin, direction, shared::kNone));
     }
     uint32_t most = 0;
     for (const auto& hit : scene.traverse(rays)) {
-        ASSERT_NE(hit.primitive, gpu::kNone);
+        ASSERT_NE(hit.primitive, shared::kNone);
         most = std::max(most, hit.iterations);
     }
     RecordProperty("iterations", std::to_string(most));

@@ -10,7 +10,7 @@ namespace calotype::test {
 namespace {
 
 /// A triangle of some size, not too thin, somewhere near the origin.
-gpu::Triangle randomTriangle(double size, RandomNumbers& random) {
+shared::Triangle randomTriangle(double size, RandomNumbers& random) {
     const glm::dmat3 frame = randomRotation(random);
     const glm::dvec3 corner = size * random.inBall();
     const glm::vec3 v0(corner);
@@ -20,7 +20,7 @@ gpu::Triangle randomTriangle(double size, RandomNumbers& random) {
     return packTriangle(v0, v1, v2);
 }
 
-gpu::TestRay rayOnto(const gpu::Triangle& triangle, uint32_t index, RandomNumbers& random) {
+shared::TestRay rayOnto(const shared::Triangle& triangle, uint32_t index, RandomNumbers& random) {
     const glm::dvec3 edge1(triangle.v1 - triangle.v0);
     const glm::dvec3 edge2(triangle.v2 - triangle.v0);
     const double b1 = random.between(0.1, 0.8);
@@ -32,10 +32,11 @@ gpu::TestRay rayOnto(const gpu::Triangle& triangle, uint32_t index, RandomNumber
 }
 
 struct TexturedTriangles {
-    std::vector<gpu::Triangle> triangles;
-    std::vector<gpu::TriangleUvs> uvs;
+    std::vector<shared::Triangle> triangles;
+    std::vector<shared::TriangleUvs> uvs;
 
-    std::vector<gpu::TestCoordinates> coordinates(const std::vector<gpu::TestRay>& rays) const {
+    std::vector<shared::TestCoordinates>
+    coordinates(const std::vector<shared::TestRay>& rays) const {
         GpuScene scene;
         scene.triangles = triangles;
         scene.triangleUvs = uvs;
@@ -46,7 +47,7 @@ struct TexturedTriangles {
 /// The affine map from a triangle's plane to its texture coordinates.
 class UvMap {
 public:
-    UvMap(const gpu::Triangle& triangle, const gpu::TriangleUvs& uvs)
+    UvMap(const shared::Triangle& triangle, const shared::TriangleUvs& uvs)
         : corner_(triangle.v0), edge1_(glm::dvec3(triangle.v1) - corner_),
           edge2_(glm::dvec3(triangle.v2) - corner_), uv_(uvs.uv0),
           along1_(glm::dvec2(uvs.uv1) - uv_), along2_(glm::dvec2(uvs.uv2) - uv_) {}
@@ -82,7 +83,7 @@ class TriangleCoordinates : public GpuTest {};
 TEST_F(TriangleCoordinates, AreInterpolatedAndGrowAlongTheirDirectionsMirroredOrNot) {
     RandomNumbers random(112);
     TexturedTriangles scene;
-    std::vector<gpu::TestRay> rays;
+    std::vector<shared::TestRay> rays;
     for (uint32_t i = 0; i < 6000; ++i) {
         scene.triangles.push_back(randomTriangle(random.powerOfTen(-3.0, 3.0), random));
         const double scale = random.powerOfTen(-4.0, 2.0);
@@ -115,8 +116,8 @@ TEST_F(TriangleCoordinates, AreInterpolatedAndGrowAlongTheirDirectionsMirroredOr
 TEST_F(TriangleCoordinates, AreFiniteWhereTheyDegenerate) {
     RandomNumbers random(113);
     TexturedTriangles scene;
-    std::vector<gpu::TestRay> rays;
-    const gpu::TriangleUvs degenerate[] = {
+    std::vector<shared::TestRay> rays;
+    const shared::TriangleUvs degenerate[] = {
         {{0, 0}, {0, 0}, {0, 0}, 0, 0},                   // none given
         {{0.3f, 0.7f}, {0.3f, 0.7f}, {0.3f, 0.7f}, 0, 0}, // one texel
         {{0, 0}, {1, 0}, {0.5f, 0}, 0, 0},                // a line along u
@@ -129,7 +130,7 @@ TEST_F(TriangleCoordinates, AreFiniteWhereTheyDegenerate) {
         scene.uvs.push_back(degenerate[i % std::size(degenerate)]);
         rays.push_back(rayOnto(scene.triangles[i], i, random));
     }
-    for (const gpu::TestCoordinates& hit : scene.coordinates(rays)) {
+    for (const shared::TestCoordinates& hit : scene.coordinates(rays)) {
         EXPECT_TRUE(std::isfinite(hit.u) && std::isfinite(hit.v));
         for (int axis = 0; axis < 3; ++axis)
             EXPECT_TRUE(std::isfinite(hit.dpdu[axis]) && std::isfinite(hit.dpdv[axis]));

@@ -16,12 +16,12 @@ namespace {
 constexpr Real kAllowedRoundoffs = 16.0L;
 
 struct TriangleCase {
-    gpu::Triangle triangle;
+    shared::Triangle triangle;
     glm::dvec3 origin;
     glm::dvec3 direction;
 };
 
-glm::dvec3 pointOn(const gpu::Triangle& triangle, RandomNumbers& random) {
+glm::dvec3 pointOn(const shared::Triangle& triangle, RandomNumbers& random) {
     double b1 = random.unit();
     double b2 = random.unit();
     const uint32_t where = random.below(4);
@@ -38,8 +38,8 @@ glm::dvec3 pointOn(const gpu::Triangle& triangle, RandomNumbers& random) {
 }
 
 /// A triangle about the point `center`, of the given size and thinness.
-gpu::Triangle randomTriangle(const glm::dvec3& center, double size, double thinness,
-                             RandomNumbers& random) {
+shared::Triangle randomTriangle(const glm::dvec3& center, double size, double thinness,
+                                RandomNumbers& random) {
     const glm::dvec3 along = size * random.direction();
     const glm::dvec3 across = glm::normalize(glm::cross(along, random.direction()));
     const glm::vec3 v0 = glm::vec3(center - random.unit() * along);
@@ -69,7 +69,7 @@ struct TriangleErrors {
     uint32_t disagreements = 0; ///< within the bound
 };
 
-void check(const TriangleCase& test, const gpu::TestHit& hit, TriangleErrors& errors) {
+void check(const TriangleCase& test, const shared::TestHit& hit, TriangleErrors& errors) {
     const Line line{Vec3(glm::vec3(test.origin)), Vec3(glm::vec3(test.direction))};
     const TriangleCrossing exact = crossTriangle(test.triangle, line);
     const Real margin = kAllowedRoundoffs * kRoundoff * exact.reach;
@@ -103,8 +103,8 @@ TEST_P(TriangleHits, AreExactWithinRounding) {
     constexpr uint32_t kCases = 100'000;
     RandomNumbers random(7);
     std::vector<TriangleCase> cases;
-    std::vector<gpu::Triangle> triangles;
-    std::vector<gpu::TestRay> rays;
+    std::vector<shared::Triangle> triangles;
+    std::vector<shared::TestRay> rays;
     for (uint32_t i = 0; i < kCases; ++i) {
         const Sizes& sizes = GetParam();
         cases.push_back(

@@ -25,12 +25,12 @@ std::vector<glm::vec4> randomPoints() {
     return points;
 }
 
-std::vector<gpu::TestWarp> warped(const std::vector<glm::vec4>& points) {
-    return runKernel<gpu::TestWarp>(kWarpSpirv, points);
+std::vector<shared::TestWarp> warped(const std::vector<glm::vec4>& points) {
+    return runKernel<shared::TestWarp>(kWarpSpirv, points);
 }
 
 /// The square's corners and edges, as far as the numbers reach.
-std::vector<gpu::TestWarp> warpedEnds() {
+std::vector<shared::TestWarp> warpedEnds() {
     std::vector<glm::vec4> points;
     for (const float x : {0.0f, 0x1p-24f, 0.5f, 1.0f - 0x1p-24f})
         for (const float y : {0.0f, 0x1p-24f, 0.25f, 0.5f, 0.75f, 1.0f - 0x1p-24f})
@@ -44,9 +44,9 @@ uint32_t cellOf(double x, uint32_t cells) {
 
 /// Chi-square over rings (of a share in [0, 1)) times sectors, where each cell has the chance that
 /// `ringChance` gives its ring, divided evenly.
-void expectSpread(const std::vector<gpu::TestWarp>& warps,
-                  const std::function<double(const gpu::TestWarp&)>& ringShare,
-                  const std::function<double(const gpu::TestWarp&)>& sectorShare,
+void expectSpread(const std::vector<shared::TestWarp>& warps,
+                  const std::function<double(const shared::TestWarp&)>& ringShare,
+                  const std::function<double(const shared::TestWarp&)>& sectorShare,
                   const std::function<double(uint32_t)>& ringChance) {
     std::vector<uint64_t> counts(kRings * kSectors);
     for (const auto& warp : warps)
@@ -90,7 +90,7 @@ TEST_F(Warp, ToHemisphereIsByTheCosine) {
 }
 
 TEST_F(Warp, StaysInItsDomainAtTheEnds) {
-    for (const gpu::TestWarp& warp : warpedEnds()) {
+    for (const shared::TestWarp& warp : warpedEnds()) {
         const glm::dvec4 w(warp.diskAndTriangle);
         EXPECT_LE(std::hypot(w.x, w.y), 1.0);
         EXPECT_GE(std::min(w.z, w.w), 0.0);

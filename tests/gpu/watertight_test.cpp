@@ -20,10 +20,10 @@ glm::dvec3 edgePoint(const Mesh& mesh, RandomNumbers& random) {
     return random.below(3) == 0 ? from : glm::mix(from, to, random.unit());
 }
 
-uint32_t countEscapes(const PrimitiveScene& scene, const std::vector<gpu::TestRay>& rays) {
+uint32_t countEscapes(const PrimitiveScene& scene, const std::vector<shared::TestRay>& rays) {
     uint32_t escapes = 0;
     for (const auto& hit : scene.traverse(rays))
-        escapes += hit.primitive == gpu::kNone ? 1 : 0;
+        escapes += hit.primitive == shared::kNone ? 1 : 0;
     return escapes;
 }
 
@@ -37,12 +37,12 @@ protected:
         RandomNumbers random(11);
         uint32_t escapes = 0;
         for (uint32_t batch = 0; batch < batches; ++batch) {
-            std::vector<gpu::TestRay> rays;
+            std::vector<shared::TestRay> rays;
             for (uint32_t i = 0; i < kRaysPerBatch; ++i) {
                 const glm::vec3 origin(innerRadius * random.inBall());
                 const glm::vec3 target = glm::vec3(edgePoint(mesh, random)) - shift;
                 rays.push_back(
-                    testRay(glm::dvec3(origin), glm::dvec3(target - origin), gpu::kNone));
+                    testRay(glm::dvec3(origin), glm::dvec3(target - origin), shared::kNone));
             }
             escapes += countEscapes(scene, rays);
         }
@@ -65,7 +65,7 @@ TEST_F(ClosedMesh, WithFlatAxisAlignedBoxesLetsNoRayOut) {
 TEST_F(ClosedMesh, LetsNoAxisAlignedRayOutAlongItsEdges) {
     const Mesh cube = cubeMesh(32);
     const PrimitiveScene scene(packAsProgram(sceneOf({shapeOf(cube)})).packed);
-    std::vector<gpu::TestRay> rays;
+    std::vector<shared::TestRay> rays;
     RandomNumbers random(12);
     for (uint32_t i = 0; i < kRaysPerBatch; ++i) {
         // The corners are multiples of 1/16, so the ray runs exactly at one, or along an edge.
@@ -77,7 +77,7 @@ TEST_F(ClosedMesh, LetsNoAxisAlignedRayOutAlongItsEdges) {
         direction[axis] = random.sign();
         if (random.coin()) // or tilted by next to nothing
             direction[(axis + 2) % 3] = random.sign() * random.powerOfTen(-20.0, -3.0);
-        rays.push_back(testRay(origin, direction, gpu::kNone));
+        rays.push_back(testRay(origin, direction, shared::kNone));
     }
     EXPECT_EQ(countEscapes(scene, rays), 0u);
 }

@@ -46,7 +46,7 @@ double trueError(const JudgedPicture& picture, const JudgedPicture& truth) {
 std::vector<glm::vec4> renderBlock(BlockTracer& tracer, std::span<const uint8_t> isLeftOut) {
     tracer.beginBlock(0, isLeftOut);
     for (uint32_t tile = 0; tile < tracer.tileCount(); ++tile)
-        while (tracer.renderTiles({tile, 1}, gpu::kSamplesPerBlock).unfinishedPixels > 0)
+        while (tracer.renderTiles({tile, 1}, shared::kSamplesPerBlock).unfinishedPixels > 0)
             ;
     const std::span<const glm::vec4> block = tracer.readBlock();
     return {block.begin(), block.end()};

@@ -14,7 +14,7 @@ TEST(FeatureCases, CoverEveryFeature) {
     std::set<uint32_t> covered;
     for (const FeatureCase& featureCase : featureCases())
         covered.insert(featureCase.feature);
-    EXPECT_EQ(covered.size(), gpu::kFeatureCount);
+    EXPECT_EQ(covered.size(), shared::kFeatureCount);
 }
 
 size_t differentPixels(const Image& a, const Image& b) {

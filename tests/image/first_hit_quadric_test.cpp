@@ -42,13 +42,13 @@ protected:
         const glm::dvec3 middle = 50.0 * random.inBall();
         const RigidTransform pose{randomRotation(random), middle};
         switch (std::get<0>(GetParam())) {
-        case gpu::kSphere:
+        case shared::kSphere:
             builder.add(makeShape(Sphere{pose, 1.0}, grey));
             break;
-        case gpu::kCylinder:
+        case shared::kCylinder:
             builder.add(makeShape(Cylinder{pose, 0.7, 1.5}, grey));
             break;
-        case gpu::kCone:
+        case shared::kCone:
             builder.add(
                 makeShape(Cone{pose, random.between(0.0, 1.0) < 0.5 ? 1.4 : -1.4, 0.6}, grey));
             break;
@@ -71,7 +71,7 @@ protected:
     /// A pixel's hit on the only quadric of a packed scene. True where it shows the quadric.
     bool check(const FirstHit& hit, const Line& line, const Camera& camera,
                const GpuScene& packed) const {
-        const gpu::Quadric& quadric = packed.quadrics[0];
+        const shared::Quadric& quadric = packed.quadrics[0];
         const Real t = firstHit(quadric, line);
         const Vec3 position = Vec3(hit.position) - Vec3(packed.origin);
         const Real scale = roundingScale(quadric, line, t) +
@@ -93,14 +93,14 @@ protected:
 
 private:
     static void checkSurface(const FirstHit& hit, const Vec3& position, const Line& line,
-                             const gpu::Quadric& quadric, Real tolerance) {
+                             const shared::Quadric& quadric, Real tolerance) {
         const glm::dvec3 local = localPoint(quadric, glm::dvec3(position));
         const NearestFace nearest = nearestFace(quadric, local);
         if (nearest.margin < 4.0 * double(tolerance))
             return;
         Vec3 outward(hit.normal);
         EXPECT_LT(glm::dot(outward, line.direction), tolerance);
-        if (quadric.kind == gpu::kDisk && glm::dot(outward, Vec3(quadric.axisY)) < 0.0L)
+        if (quadric.kind == shared::kDisk && glm::dot(outward, Vec3(quadric.axisY)) < 0.0L)
             outward = -outward;
         const FaceAt face = faceAt(quadric, position, outward);
         EXPECT_LT(std::abs(face.distance), tolerance);

@@ -58,9 +58,9 @@ TEST_F(InvarianceTest, FewQuadricsAreMetAsManyAre) {
             position *= 5.0;
     RenderWish wish = small();
     const RenderedScene few = renderScene(scene, wish);
-    ASSERT_FALSE(few.needed.enabled[gpu::kFeatureManyQuadrics]);
+    ASSERT_FALSE(few.needed.enabled[shared::kFeatureManyQuadrics]);
     wish.features = few.needed;
-    wish.features->enabled[gpu::kFeatureManyQuadrics] = true;
+    wish.features->enabled[shared::kFeatureManyQuadrics] = true;
     expectSamePixels(few.image, renderScene(scene, wish).image);
 }
 

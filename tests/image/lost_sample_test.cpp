@@ -12,7 +12,7 @@ namespace {
 
 using LostSampleTest = GpuTest;
 
-gpu::RenderCounters oneSampleOfEach(BlockTracer& tracer) {
+shared::RenderCounters oneSampleOfEach(BlockTracer& tracer) {
     tracer.beginBlock(0);
     return tracer.renderTiles({0, tracer.tileCount()}, 1);
 }

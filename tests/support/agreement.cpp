@@ -60,8 +60,8 @@ void renderWholeBlock(BlockTracer& tracer) {
     uint32_t done = 0;
     while (done < tracer.tileCount()) {
         const uint32_t count = std::min(tracer.tileCount() - done, 64u);
-        const gpu::RenderCounters counters =
-            tracer.renderTiles({done, count}, gpu::kSamplesPerBlock);
+        const shared::RenderCounters counters =
+            tracer.renderTiles({done, count}, shared::kSamplesPerBlock);
         EXPECT_EQ(counters.nonFiniteSamples, 0u);
         EXPECT_EQ(counters.cutPaths, 0u);
         done += counters.unfinishedPixels == 0 ? count : 0;
@@ -95,9 +95,9 @@ TileMeans renderTileMeans(BlockTracer& tracer, uint32_t width, uint32_t height, 
     CALOTYPE_CHECK_EQ(height % kJudgedTile, 0u);
     const uint32_t tilesAcross = width / kJudgedTile;
     TileMeans means(size_t{tilesAcross} * (height / kJudgedTile), blocks);
-    constexpr double kShare = 1.0 / (kJudgedTile * kJudgedTile * gpu::kSamplesPerBlock);
+    constexpr double kShare = 1.0 / (kJudgedTile * kJudgedTile * shared::kSamplesPerBlock);
     for (size_t block = 0; block < blocks; ++block) {
-        tracer.beginBlock(static_cast<uint32_t>(block * gpu::kSamplesPerBlock));
+        tracer.beginBlock(static_cast<uint32_t>(block * shared::kSamplesPerBlock));
         renderWholeBlock(tracer);
         const std::span<const glm::vec4> sums = tracer.readBlock();
         for (uint32_t y = 0; y < height; ++y)

@@ -110,30 +110,30 @@ void darken(Scene& scene) {
 void darkenDisk(Scene& scene) { scene.materials.back().emission = glm::dvec3(0.0); }
 
 const FeatureCase kCases[] = {
-    {gpu::kFeatureTriangles, "Triangles", camera([](Scene&) {}),
+    {shared::kFeatureTriangles, "Triangles", camera([](Scene&) {}),
      [](Scene& scene) { scene.shapes.clear(); }},
-    {gpu::kFeatureSmoothNormals, "SmoothNormals", addSmoothTriangle},
-    {gpu::kFeatureSpheres, "Spheres", shape(kBall)},
-    {gpu::kFeatureCylinders, "Cylinders", shape(kCan)},
-    {gpu::kFeatureCones, "Cones", shape(kHat)},
-    {gpu::kFeatureDisks, "Disks", shape(kPlate)},
-    {gpu::kFeatureManyQuadrics, "ManyQuadrics", addBalls,
+    {shared::kFeatureSmoothNormals, "SmoothNormals", addSmoothTriangle},
+    {shared::kFeatureSpheres, "Spheres", shape(kBall)},
+    {shared::kFeatureCylinders, "Cylinders", shape(kCan)},
+    {shared::kFeatureCones, "Cones", shape(kHat)},
+    {shared::kFeatureDisks, "Disks", shape(kPlate)},
+    {shared::kFeatureManyQuadrics, "ManyQuadrics", addBalls,
      [](Scene& scene) { scene.shapes.resize(litFloor().scene().shapes.size()); }},
-    {gpu::kFeatureTriangleLights, "TriangleLights", camera([](Scene&) {}), darken},
-    {gpu::kFeatureSphereLights, "SphereLights", light(kBall)},
-    {gpu::kFeatureCylinderLights, "CylinderLights", light(kCan)},
-    {gpu::kFeatureConeLights, "ConeLights", light(kHat)},
-    {gpu::kFeatureDiskLights, "DiskLights", light(kPlate), darkenDisk},
-    {gpu::kFeatureHiddenLights, "HiddenLights", camera(hideLamp)},
-    {gpu::kFeatureLightAlpha, "LightAlpha",
+    {shared::kFeatureTriangleLights, "TriangleLights", camera([](Scene&) {}), darken},
+    {shared::kFeatureSphereLights, "SphereLights", light(kBall)},
+    {shared::kFeatureCylinderLights, "CylinderLights", light(kCan)},
+    {shared::kFeatureConeLights, "ConeLights", light(kHat)},
+    {shared::kFeatureDiskLights, "DiskLights", light(kPlate), darkenDisk},
+    {shared::kFeatureHiddenLights, "HiddenLights", camera(hideLamp)},
+    {shared::kFeatureLightAlpha, "LightAlpha",
      camera([](Scene& scene) { scene.materials[kLamp].opacity = 0.5; })},
-    {gpu::kFeatureBackground, "Background", camera([](Scene& scene) {
+    {shared::kFeatureBackground, "Background", camera([](Scene& scene) {
          scene.background = {0.3, 0.4, 0.5};
      }),
      [](Scene& scene) { scene.background = glm::dvec3(0.0); }},
-    {gpu::kFeatureDiffuse, "Diffuse", camera([](Scene&) {})},
-    {gpu::kFeatureGgx, "Ggx", ball(ofType(MaterialType::Nonmetal))},
-    {gpu::kFeatureMirrors, "Mirrors",
+    {shared::kFeatureDiffuse, "Diffuse", camera([](Scene&) {})},
+    {shared::kFeatureGgx, "Ggx", ball(ofType(MaterialType::Nonmetal))},
+    {shared::kFeatureMirrors, "Mirrors",
      [](SceneBuilder& builder) {
          Material chrome = ofType(MaterialType::Metal);
          chrome.roughness = 0.0;
@@ -141,32 +141,33 @@ const FeatureCase kCases[] = {
          chrome.type = MaterialType::Nonmetal;
          addBall(builder, chrome, 0.6);
      }},
-    {gpu::kFeatureBlinnPhong, "BlinnPhong", ball(ofType(MaterialType::BlinnPhong))},
-    {gpu::kFeatureDielectrics, "Dielectrics", ball(ofType(MaterialType::Dielectric))},
-    {gpu::kFeatureColorTextures, "ColorTextures",
+    {shared::kFeatureBlinnPhong, "BlinnPhong", ball(ofType(MaterialType::BlinnPhong))},
+    {shared::kFeatureDielectrics, "Dielectrics", ball(ofType(MaterialType::Dielectric))},
+    {shared::kFeatureColorTextures, "ColorTextures",
      floorTexture(&Material::colorTexture, noiseTexture(false))},
-    {gpu::kFeatureRoughnessTextures, "RoughnessTextures",
+    {shared::kFeatureRoughnessTextures, "RoughnessTextures",
      floorTexture(&Material::roughnessTexture, noiseTexture(false), MaterialType::Nonmetal)},
-    {gpu::kFeatureSpecularTextures, "SpecularTextures",
+    {shared::kFeatureSpecularTextures, "SpecularTextures",
      floorTexture(&Material::specularTexture, noiseTexture(false), MaterialType::Nonmetal)},
-    {gpu::kFeatureNormalMaps, "NormalMaps",
+    {shared::kFeatureNormalMaps, "NormalMaps",
      floorTexture(&Material::normalMap, noiseTexture(false), MaterialType::Metal)},
-    {gpu::kFeatureAlpha, "Alpha", floorTexture(&Material::alphaTexture, noiseTexture(false, true))},
-    {gpu::kFeatureByteTexels, "ByteTexels",
+    {shared::kFeatureAlpha, "Alpha",
+     floorTexture(&Material::alphaTexture, noiseTexture(false, true))},
+    {shared::kFeatureByteTexels, "ByteTexels",
      floorTexture(&Material::colorTexture, noiseTexture(false))},
-    {gpu::kFeatureFloatTexels, "FloatTexels",
+    {shared::kFeatureFloatTexels, "FloatTexels",
      floorTexture(&Material::colorTexture, noiseTexture(true))},
-    {gpu::kFeatureCheckers, "Checkers",
+    {shared::kFeatureCheckers, "Checkers",
      floorTexture(&Material::colorTexture,
                   {"checker", CheckerTexture{{glm::dvec3(0.2), glm::dvec3(0.9)}}, {8.0, 8.0}}),
      [](Scene& scene) { scene.materials[kFloor].colorTexture = Material::kNoTexture; }},
-    {gpu::kFeatureFilter, "Filter",
+    {shared::kFeatureFilter, "Filter",
      camera([](Scene& scene) { scene.film.filter = FilmFilter::BlackmanHarris; })},
-    {gpu::kFeatureLens, "Lens", camera([](Scene& scene) {
+    {shared::kFeatureLens, "Lens", camera([](Scene& scene) {
          scene.camera.lensRadius = 0.1;
          scene.camera.focusDistance = 3.0;
      })},
-    {gpu::kFeatureOrthographic, "Orthographic", camera([](Scene& scene) {
+    {shared::kFeatureOrthographic, "Orthographic", camera([](Scene& scene) {
          scene.camera.projection = Projection::Orthographic;
          scene.camera.viewHeight = 3.0;
          scene.camera.position = {0.0, 2.0, 2.0};

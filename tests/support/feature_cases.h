@@ -16,7 +16,7 @@ using SceneChange = std::function<void(SceneBuilder&)>;
 
 /// What makes the lit floor need a feature of the kernel.
 struct FeatureCase {
-    uint32_t feature; ///< gpu::kFeature...
+    uint32_t feature; ///< shared::kFeature...
     const char* name;
     SceneChange change;
     /// Takes the feature from the scene, where a kernel without it would take what it finds there

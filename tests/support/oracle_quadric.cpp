@@ -11,21 +11,21 @@ namespace calotype::test {
 namespace {
 
 /// A sphere's frame is the world's: it needs none, and rounding has its axes off the right angle.
-Vec3 localDirection(const gpu::Quadric& quadric, const Vec3& world) {
-    if (quadric.kind == gpu::kSphere)
+Vec3 localDirection(const shared::Quadric& quadric, const Vec3& world) {
+    if (quadric.kind == shared::kSphere)
         return world;
     return {glm::dot(world, Vec3(quadric.axisX)), glm::dot(world, Vec3(quadric.axisY)),
             glm::dot(world, Vec3(quadric.axisZ))};
 }
 
-Vec3 worldDirection(const gpu::Quadric& quadric, const Vec3& local) {
-    if (quadric.kind == gpu::kSphere)
+Vec3 worldDirection(const shared::Quadric& quadric, const Vec3& local) {
+    if (quadric.kind == shared::kSphere)
         return local;
     return local.x * Vec3(quadric.axisX) + local.y * Vec3(quadric.axisY) +
            local.z * Vec3(quadric.axisZ);
 }
 
-Vec3 centerOf(const gpu::Quadric& quadric) {
+Vec3 centerOf(const shared::Quadric& quadric) {
     return Vec3(quadric.center) + Vec3(quadric.centerRest);
 }
 
@@ -44,20 +44,20 @@ AllowedAnswers convexAnswers(const Interval& grown, const Interval& shrunk) {
 
 } // namespace
 
-Line localLine(const gpu::Quadric& quadric, const Line& world) {
+Line localLine(const shared::Quadric& quadric, const Line& world) {
     return {localDirection(quadric, world.origin - centerOf(quadric)),
             localDirection(quadric, world.direction)};
 }
 
-Real reachOf(const gpu::Quadric& quadric) {
-    const Real along = quadric.kind == gpu::kCylinder ? 0.5L * quadric.extent : quadric.extent;
-    return std::hypot(Real(quadric.radius), quadric.kind == gpu::kSphere ? 0.0L : along);
+Real reachOf(const shared::Quadric& quadric) {
+    const Real along = quadric.kind == shared::kCylinder ? 0.5L * quadric.extent : quadric.extent;
+    return std::hypot(Real(quadric.radius), quadric.kind == shared::kSphere ? 0.0L : along);
 }
 
-Real roundingScale(const gpu::Quadric& quadric, const Line& world, Real t) {
+Real roundingScale(const shared::Quadric& quadric, const Line& world, Real t) {
     const Line line{world.origin - centerOf(quadric), world.direction};
     const Real scale = glm::length(line.origin) + reachOf(quadric);
-    if (quadric.kind != gpu::kCone)
+    if (quadric.kind != shared::kCone)
         return scale;
     const Real toApex = t < kInfinity ? glm::length(line.at(t))
                                       : glm::length(glm::cross(line.origin, line.direction)) /
@@ -66,31 +66,31 @@ Real roundingScale(const gpu::Quadric& quadric, const Line& world, Real t) {
     return scale * std::max(1.0L, size / std::max(toApex, kRoundoff * size));
 }
 
-Interval insideQuadric(const gpu::Quadric& quadric, const Line& world, Real growth) {
+Interval insideQuadric(const shared::Quadric& quadric, const Line& world, Real growth) {
     const Line line = localLine(quadric, world);
-    if (quadric.kind == gpu::kSphere)
+    if (quadric.kind == shared::kSphere)
         return insideSphere(line, quadric.radius + growth);
-    if (quadric.kind == gpu::kCylinder)
+    if (quadric.kind == shared::kCylinder)
         return insideCylinder(line, quadric.radius + growth, 0.5L * quadric.extent + growth);
     return insideCone(line, quadric.extent, quadric.slope, growth);
 }
 
-AllowedAnswers allowedAnswers(const gpu::Quadric& quadric, const Line& world, Real tolerance) {
-    if (quadric.kind == gpu::kDisk)
+AllowedAnswers allowedAnswers(const shared::Quadric& quadric, const Line& world, Real tolerance) {
+    if (quadric.kind == shared::kDisk)
         return diskAnswers(localLine(quadric, world), quadric.radius, tolerance);
     return convexAnswers(insideQuadric(quadric, world, tolerance),
                          insideQuadric(quadric, world, -tolerance));
 }
 
-Real firstHit(const gpu::Quadric& quadric, const Line& world) {
-    if (quadric.kind == gpu::kDisk)
+Real firstHit(const shared::Quadric& quadric, const Line& world) {
+    if (quadric.kind == shared::kDisk)
         return firstDiskHit(localLine(quadric, world), quadric.radius);
     const Interval inside = insideQuadric(quadric, world, 0.0L);
     const Real t = inside.enter > 0.0L ? inside.enter : inside.leave;
     return inside.isEmpty() || t <= 0.0L ? kInfinity : t;
 }
 
-FaceAt faceAt(const gpu::Quadric& quadric, const Vec3& world, const Vec3& normal) {
+FaceAt faceAt(const shared::Quadric& quadric, const Vec3& world, const Vec3& normal) {
     const Vec3 p = localDirection(quadric, world - centerOf(quadric));
     const Vec3 n = localDirection(quadric, normal);
     const Real radius = std::hypot(p.x, p.z);
@@ -98,19 +98,19 @@ FaceAt faceAt(const gpu::Quadric& quadric, const Vec3& world, const Vec3& normal
         return FaceAt{distance, glm::normalize(worldDirection(quadric, local)), false, 0.0L};
     };
     const auto curved = [&](Real distance, const Vec3& local) {
-        const Real curvature = quadric.kind == gpu::kSphere ? glm::length(p) : radius;
+        const Real curvature = quadric.kind == shared::kSphere ? glm::length(p) : radius;
         return FaceAt{distance, glm::normalize(worldDirection(quadric, local)), true, curvature};
     };
     const Vec3 outward = radius > 0.0L ? Vec3(p.x / radius, 0.0L, p.z / radius) : Vec3(0.0L);
     switch (quadric.kind) {
-    case gpu::kSphere:
+    case shared::kSphere:
         return curved(glm::length(p) - quadric.radius, glm::normalize(p));
-    case gpu::kCylinder:
+    case shared::kCylinder:
         if (std::abs(n.y) < 0.5L)
             return curved(radius - quadric.radius, outward);
         return flat(std::abs(p.y) - 0.5L * quadric.extent,
                     Vec3(0.0L, std::copysign(1.0L, n.y), 0.0L));
-    case gpu::kCone: {
+    case shared::kCone: {
         const Real down = std::copysign(1.0L, Real(quadric.extent));
         const Real k = quadric.slope;
         const Real scale = 1.0L / std::sqrt(1.0L + k * k);

@@ -16,25 +16,25 @@ struct AllowedAnswers {
 };
 
 /// A world line in the frame of a quadric, by the packed axes, taken as exact.
-Line localLine(const gpu::Quadric& quadric, const Line& world);
+Line localLine(const shared::Quadric& quadric, const Line& world);
 
 /// Largest distance of a point of the quadric from its `center`.
-Real reachOf(const gpu::Quadric& quadric);
+Real reachOf(const shared::Quadric& quadric);
 
 /// The length to which the roundings of an intersection at t (infinity: none) are relative: that of
 /// the coordinates seen from the quadric. A cone's quadratic form gets as flat towards the apex as
 /// the point is near to it, compared with the cone's size, and its surface is known the less well.
-Real roundingScale(const gpu::Quadric& quadric, const Line& world, Real t);
+Real roundingScale(const shared::Quadric& quadric, const Line& world, Real t);
 
 /// Where a world line runs inside a sphere, cylinder or cone whose surface moved outward by
 /// `growth` (negative: inward).
-Interval insideQuadric(const gpu::Quadric& quadric, const Line& world, Real growth);
+Interval insideQuadric(const shared::Quadric& quadric, const Line& world, Real growth);
 
 /// The answers for a ray (t > 0) if every face of the quadric may be off by `tolerance`.
-AllowedAnswers allowedAnswers(const gpu::Quadric& quadric, const Line& world, Real tolerance);
+AllowedAnswers allowedAnswers(const shared::Quadric& quadric, const Line& world, Real tolerance);
 
 /// The exact first hit, or infinity.
-Real firstHit(const gpu::Quadric& quadric, const Line& world);
+Real firstHit(const shared::Quadric& quadric, const Line& world);
 
 /// The face of a quadric to which a world point with a given normal belongs.
 struct FaceAt {
@@ -43,6 +43,6 @@ struct FaceAt {
     bool isCurved;
     Real radius; ///< of a curved face: distance of the point from the axis, or from the centre
 };
-FaceAt faceAt(const gpu::Quadric& quadric, const Vec3& world, const Vec3& normal);
+FaceAt faceAt(const shared::Quadric& quadric, const Vec3& world, const Vec3& normal);
 
 } // namespace calotype::test

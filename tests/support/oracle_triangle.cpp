@@ -16,7 +16,7 @@ void perpendiculars(const Vec3& w, Vec3& u, Vec3& v) {
 
 } // namespace
 
-TriangleCrossing crossTriangle(const gpu::Triangle& triangle, const Line& line) {
+TriangleCrossing crossTriangle(const shared::Triangle& triangle, const Line& line) {
     const Real length = glm::length(line.direction);
     const Vec3 along = line.direction / length;
     Vec3 u;

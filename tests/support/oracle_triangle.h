@@ -15,6 +15,6 @@ struct TriangleCrossing {
     Real magnification = 1.0L;
     Vec2 barycentrics{}; ///< weights of the second and third corner
 };
-TriangleCrossing crossTriangle(const gpu::Triangle& triangle, const Line& line);
+TriangleCrossing crossTriangle(const shared::Triangle& triangle, const Line& line);
 
 } // namespace calotype::test

@@ -52,7 +52,8 @@ PackedTextures::PackedTextures(std::vector<Texture> textures) : textures_(std::m
     scene_.texelRows = packer.takeTexelRows();
 }
 
-std::vector<glm::vec4> PackedTextures::read(const std::vector<gpu::TestTextureRead>& reads) const {
+std::vector<glm::vec4>
+PackedTextures::read(const std::vector<shared::TestTextureRead>& reads) const {
     const PrimitiveScene scene(scene_);
     const SceneBuffers buffers(testDevice(), scene.packed());
     return runKernel<glm::vec4>(kTextureReadSpirv, reads, buffers.bindings(), kTestInputBinding);

@@ -39,7 +39,7 @@ class PackedTextures {
 public:
     explicit PackedTextures(std::vector<Texture> textures);
 
-    std::vector<glm::vec4> read(const std::vector<gpu::TestTextureRead>& reads) const;
+    std::vector<glm::vec4> read(const std::vector<shared::TestTextureRead>& reads) const;
 
     const std::vector<Texture>& textures() const { return textures_; }
     size_t rowCount() const { return scene_.texelRows.size(); }

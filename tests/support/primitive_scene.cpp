@@ -37,35 +37,36 @@ GpuScene complete(GpuScene scene) {
 
 PrimitiveScene::PrimitiveScene(GpuScene scene) : scene_(complete(std::move(scene))) {}
 
-PrimitiveScene PrimitiveScene::ofQuadrics(std::vector<gpu::Quadric> quadrics) {
+PrimitiveScene PrimitiveScene::ofQuadrics(std::vector<shared::Quadric> quadrics) {
     GpuScene scene;
     scene.quadrics = std::move(quadrics);
     return PrimitiveScene(std::move(scene));
 }
 
-PrimitiveScene PrimitiveScene::ofTriangles(std::vector<gpu::Triangle> triangles) {
+PrimitiveScene PrimitiveScene::ofTriangles(std::vector<shared::Triangle> triangles) {
     GpuScene scene;
     scene.triangles = std::move(triangles);
     return PrimitiveScene(std::move(scene));
 }
 
-std::vector<gpu::TestHit> PrimitiveScene::hits(const std::vector<gpu::TestRay>& rays) const {
+std::vector<shared::TestHit> PrimitiveScene::hits(const std::vector<shared::TestRay>& rays) const {
     const SceneBuffers buffers(testDevice(), scene_);
-    return runKernel<gpu::TestHit>(kPrimitiveHitSpirv, rays, buffers.bindings(), kTestInputBinding);
+    return runKernel<shared::TestHit>(kPrimitiveHitSpirv, rays, buffers.bindings(),
+                                      kTestInputBinding);
 }
 
 std::vector<PrimitiveScene::Traversed>
-PrimitiveScene::traverse(const std::vector<gpu::TestRay>& rays) const {
+PrimitiveScene::traverse(const std::vector<shared::TestRay>& rays) const {
     const SceneBuffers buffers(testDevice(), scene_);
     return runKernel<Traversed>(kTraverseSpirv, rays, buffers.bindings(), kTestInputBinding);
 }
 
-std::vector<glm::vec3> offsetPoints(const std::vector<gpu::TestOffset>& points) {
+std::vector<glm::vec3> offsetPoints(const std::vector<shared::TestOffset>& points) {
     const auto rows = runKernel<glm::vec4>(kOffsetFromSurfaceSpirv, points);
     return {rows.begin(), rows.end()};
 }
 
-std::string describe(const gpu::Quadric& quadric, const gpu::TestRay& ray, float t) {
+std::string describe(const shared::Quadric& quadric, const shared::TestRay& ray, float t) {
     std::ostringstream text;
     text.precision(9);
     const auto put = [&](const char* name, const glm::vec3& v) {

@@ -15,13 +15,13 @@ class PrimitiveScene {
 public:
     explicit PrimitiveScene(GpuScene scene);
 
-    static PrimitiveScene ofQuadrics(std::vector<gpu::Quadric> quadrics);
-    static PrimitiveScene ofTriangles(std::vector<gpu::Triangle> triangles);
+    static PrimitiveScene ofQuadrics(std::vector<shared::Quadric> quadrics);
+    static PrimitiveScene ofTriangles(std::vector<shared::Triangle> triangles);
 
     const GpuScene& packed() const { return scene_; }
 
     /// crossPrimitive and interactionAt: each ray meets its own primitive only.
-    std::vector<gpu::TestHit> hits(const std::vector<gpu::TestRay>& rays) const;
+    std::vector<shared::TestHit> hits(const std::vector<shared::TestRay>& rays) const;
 
     struct Traversed {
         float t;
@@ -31,25 +31,25 @@ public:
     };
 
     /// traverse: each ray meets everything but its own primitive.
-    std::vector<Traversed> traverse(const std::vector<gpu::TestRay>& rays) const;
+    std::vector<Traversed> traverse(const std::vector<shared::TestRay>& rays) const;
 
 private:
     GpuScene scene_;
 };
 
 /// offsetFromSurface of each point.
-std::vector<glm::vec3> offsetPoints(const std::vector<gpu::TestOffset>& points);
+std::vector<glm::vec3> offsetPoints(const std::vector<shared::TestOffset>& points);
 
 /// A ray without end that starts at `origin`.
-inline gpu::TestRay testRay(const glm::dvec3& origin, const glm::dvec3& direction,
-                            uint32_t primitive) {
+inline shared::TestRay testRay(const glm::dvec3& origin, const glm::dvec3& direction,
+                               uint32_t primitive) {
     return {glm::vec3(origin), primitive, glm::vec3(direction), 1e19f, 0, 0, 0, 0};
 }
 
 /// The same ray for the oracle.
-inline Line lineOf(const gpu::TestRay& ray) { return {Vec3(ray.origin), Vec3(ray.direction)}; }
+inline Line lineOf(const shared::TestRay& ray) { return {Vec3(ray.origin), Vec3(ray.direction)}; }
 
 /// A ray, the quadric that it was aimed at and the answer, for messages.
-std::string describe(const gpu::Quadric& quadric, const gpu::TestRay& ray, float t);
+std::string describe(const shared::Quadric& quadric, const shared::TestRay& ray, float t);
 
 } // namespace calotype::test

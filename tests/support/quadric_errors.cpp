@@ -11,7 +11,7 @@ namespace calotype::test {
 namespace {
 
 /// The smallest power of two of roundoffs for which the answer is allowed; 2^30 if none is.
-double neededRoundoffs(const gpu::Quadric& quadric, const gpu::TestRay& ray, float t) {
+double neededRoundoffs(const shared::Quadric& quadric, const shared::TestRay& ray, float t) {
     const Line line = lineOf(ray);
     const Real scale = roundingScale(quadric, line, t == kFar ? kInfinity : Real(t));
     double roundoffs = 0.5;
@@ -25,8 +25,8 @@ double neededRoundoffs(const gpu::Quadric& quadric, const gpu::TestRay& ray, flo
 
 } // namespace
 
-void QuadricErrors::add(const gpu::Quadric& quadric, const gpu::TestRay& ray,
-                        const gpu::TestHit& hit) {
+void QuadricErrors::add(const shared::Quadric& quadric, const shared::TestRay& ray,
+                        const shared::TestHit& hit) {
     const bool exactlyHit = firstHit(quadric, lineOf(ray)) < kInfinity;
     disagreements += exactlyHit != (hit.t < kFar) ? 1 : 0;
     const double needed = neededRoundoffs(quadric, ray, hit.t);

@@ -27,7 +27,8 @@ struct QuadricErrors {
     std::string worstRay;
     std::string worstPosition;
 
-    void add(const gpu::Quadric& quadric, const gpu::TestRay& ray, const gpu::TestHit& hit);
+    void add(const shared::Quadric& quadric, const shared::TestRay& ray,
+             const shared::TestHit& hit);
 };
 
 } // namespace calotype::test

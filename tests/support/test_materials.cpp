@@ -59,11 +59,11 @@ std::vector<TestMaterial> testMaterials() {
     return tests;
 }
 
-gpu::TestScattering scatteringOn(const Material& material, const glm::dvec3& wo) {
+shared::TestScattering scatteringOn(const Material& material, const glm::dvec3& wo) {
     SceneFeatures ignored;
     TexturePacker noTextures({});
-    const gpu::Material packed = packMaterial(material, {}, noTextures, ignored);
-    gpu::TestScattering event{};
+    const shared::Material packed = packMaterial(material, {}, noTextures, ignored);
+    shared::TestScattering event{};
     event.ng = event.ns = glm::vec3(0.0f, 0.0f, 1.0f);
     event.wo = glm::vec3(wo);
     event.wi = glm::vec3(0.0f, 0.0f, 1.0f);

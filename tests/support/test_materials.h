@@ -22,7 +22,7 @@ struct TestMaterial {
 std::vector<TestMaterial> testMaterials();
 
 /// The event of seeing the material from wo, in the shading frame (z up, no normal but one).
-gpu::TestScattering scatteringOn(const Material& material, const glm::dvec3& wo);
+shared::TestScattering scatteringOn(const Material& material, const glm::dvec3& wo);
 
 /// Unit vector at an angle with that cosine to z, turned about z.
 glm::dvec3 directionAt(double cosTheta, double phi);

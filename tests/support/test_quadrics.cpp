@@ -7,17 +7,17 @@
 namespace calotype::test {
 namespace {
 
-void setFrame(gpu::Quadric& quadric, const glm::dmat3& rotation) {
+void setFrame(shared::Quadric& quadric, const glm::dmat3& rotation) {
     quadric.axisX = glm::vec3(rotation[0]);
     quadric.axisY = glm::vec3(rotation[1]);
     quadric.axisZ = glm::vec3(rotation[2]);
 }
 
-void setSize(gpu::Quadric& quadric, double scale, double proportion, RandomNumbers& random) {
+void setSize(shared::Quadric& quadric, double scale, double proportion, RandomNumbers& random) {
     quadric.radius = static_cast<float>(scale);
-    if (quadric.kind == gpu::kCylinder)
+    if (quadric.kind == shared::kCylinder)
         quadric.extent = static_cast<float>(scale * proportion);
-    if (quadric.kind == gpu::kCone) {
+    if (quadric.kind == shared::kCone) {
         const double height = random.sign() * scale / proportion;
         quadric.slope = static_cast<float>(proportion);
         quadric.extent = static_cast<float>(height);
@@ -34,7 +34,7 @@ LocalPoint onFlatFace(double radius, double y, double outward, RandomNumbers& ra
     return {onCircle(radius * std::sqrt(random.unit()), y, random), {0.0, outward, 0.0}};
 }
 
-LocalPoint onConeSide(const gpu::Quadric& cone, RandomNumbers& random) {
+LocalPoint onConeSide(const shared::Quadric& cone, RandomNumbers& random) {
     const double y = cone.extent * std::sqrt(random.unit());
     const glm::dvec3 p = onCircle(cone.slope * std::abs(y), y, random);
     const double down = cone.extent < 0.0f ? -1.0 : 1.0;
@@ -49,12 +49,12 @@ std::string nameOf(uint32_t quadricKind) {
     return kNames[quadricKind];
 }
 
-std::vector<gpu::Quadric> variedQuadrics(uint32_t kind, RandomNumbers& random,
-                                         std::optional<double> proportion) {
-    std::vector<gpu::Quadric> quadrics;
+std::vector<shared::Quadric> variedQuadrics(uint32_t kind, RandomNumbers& random,
+                                            std::optional<double> proportion) {
+    std::vector<shared::Quadric> quadrics;
     for (const double scale : {1e-3, 1.0, 1e3}) {
         for (uint32_t i = 0; i < 12; ++i) {
-            gpu::Quadric quadric{};
+            shared::Quadric quadric{};
             quadric.kind = kind;
             setFrame(quadric, i % 2 == 0 ? glm::dmat3(1.0) : randomRotation(random));
             setSize(quadric, scale, proportion ? *proportion : random.powerOfTen(-1.3, 1.3),
@@ -74,20 +74,20 @@ glm::dmat3 randomRotation(RandomNumbers& random) {
     return rotationTakingYTo(random.direction()) * spin;
 }
 
-glm::dvec3 worldPoint(const gpu::Quadric& quadric, const glm::dvec3& local) {
+glm::dvec3 worldPoint(const shared::Quadric& quadric, const glm::dvec3& local) {
     return glm::dvec3(quadric.center) + local.x * glm::dvec3(quadric.axisX) +
            local.y * glm::dvec3(quadric.axisY) + local.z * glm::dvec3(quadric.axisZ);
 }
 
-LocalPoint randomSurfacePoint(const gpu::Quadric& quadric, RandomNumbers& random) {
+LocalPoint randomSurfacePoint(const shared::Quadric& quadric, RandomNumbers& random) {
     const double radius = quadric.radius;
     const double halfHeight = 0.5 * quadric.extent;
     switch (quadric.kind) {
-    case gpu::kSphere: {
+    case shared::kSphere: {
         const glm::dvec3 normal = random.direction();
         return {radius * normal, normal};
     }
-    case gpu::kCylinder: {
+    case shared::kCylinder: {
         if (random.coin()) {
             const double side = random.sign();
             return onFlatFace(radius, side * halfHeight, side, random);
@@ -95,7 +95,7 @@ LocalPoint randomSurfacePoint(const gpu::Quadric& quadric, RandomNumbers& random
         const glm::dvec3 p = onCircle(radius, random.between(-halfHeight, halfHeight), random);
         return {p, {p.x / radius, 0.0, p.z / radius}};
     }
-    case gpu::kCone:
+    case shared::kCone:
         if (random.coin())
             return onFlatFace(radius, quadric.extent, quadric.extent < 0.0f ? -1.0 : 1.0, random);
         return onConeSide(quadric, random);
@@ -104,14 +104,14 @@ LocalPoint randomSurfacePoint(const gpu::Quadric& quadric, RandomNumbers& random
     }
 }
 
-glm::dvec3 localMiddle(const gpu::Quadric& quadric) {
-    return {0.0, quadric.kind == gpu::kCone ? 0.5 * quadric.extent : 0.0, 0.0};
+glm::dvec3 localMiddle(const shared::Quadric& quadric) {
+    return {0.0, quadric.kind == shared::kCone ? 0.5 * quadric.extent : 0.0, 0.0};
 }
 
-double faceHeight(const gpu::Quadric& quadric, RandomNumbers& random) {
-    if (quadric.kind == gpu::kCylinder)
+double faceHeight(const shared::Quadric& quadric, RandomNumbers& random) {
+    if (quadric.kind == shared::kCylinder)
         return random.sign() * 0.5 * quadric.extent;
-    return quadric.kind == gpu::kCone ? quadric.extent : 0.0;
+    return quadric.kind == shared::kCone ? quadric.extent : 0.0;
 }
 
 } // namespace calotype::test

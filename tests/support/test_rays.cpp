@@ -10,11 +10,9 @@ namespace {
 
 class RayAimer {
 public:
-    RayAimer(const gpu::Quadric& quadric, RandomNumbers& random)
-        : quadric_(quadric), random_(random),
-          size_(static_cast<double>(reachOf(quadric))), axes_{glm::dvec3(quadric.axisX),
-                                                              glm::dvec3(quadric.axisY),
-                                                              glm::dvec3(quadric.axisZ)} {}
+    RayAimer(const shared::Quadric& quadric, RandomNumbers& random)
+        : quadric_(quadric), random_(random), size_(static_cast<double>(reachOf(quadric))),
+          axes_{glm::dvec3(quadric.axisX), glm::dvec3(quadric.axisY), glm::dvec3(quadric.axisZ)} {}
 
     AimedRay aim(RayKind kind) {
         switch (kind) {
@@ -104,7 +102,7 @@ private:
         return {world(from + glm::dvec3(0.0, y, 0.0)), world(towardsAxis) - world({})};
     }
 
-    const gpu::Quadric& quadric_;
+    const shared::Quadric& quadric_;
     RandomNumbers& random_;
     double size_;
     glm::dvec3 axes_[3];
@@ -120,7 +118,7 @@ std::string nameOf(RayKind kind) {
     return kNames[static_cast<int>(kind)];
 }
 
-AimedRay aimRay(RayKind kind, const gpu::Quadric& quadric, RandomNumbers& random) {
+AimedRay aimRay(RayKind kind, const shared::Quadric& quadric, RandomNumbers& random) {
     AimedRay ray = RayAimer(quadric, random).aim(kind);
     if (random.coin())
         ray.direction *= random.powerOfTen(-3.0, 3.0) / glm::length(ray.direction);

@@ -34,6 +34,6 @@ struct AimedRay {
     glm::dvec3 origin;
     glm::dvec3 direction; ///< every other one unit length, the others 1e-3 to 1e3
 };
-AimedRay aimRay(RayKind kind, const gpu::Quadric& quadric, RandomNumbers& random);
+AimedRay aimRay(RayKind kind, const shared::Quadric& quadric, RandomNumbers& random);
 
 } // namespace calotype::test

@@ -70,7 +70,7 @@ protected:
 TEST_P(BuiltTree, HasNoDefectAndIsAsShallowAsPromised) {
     const Bvh bvh = buildBvh(primitives_, builder_);
     EXPECT_EQ(findBvhDefect(bvh, primitives_), std::nullopt);
-    EXPECT_LE(bvh.depth, gpu::kMaxBvhDepth);
+    EXPECT_LE(bvh.depth, shared::kMaxBvhDepth);
     const BvhStatistics statistics = bvhStatistics(bvh);
     EXPECT_EQ(statistics.nodes, bvh.nodes.size());
     EXPECT_LE(statistics.nodes, 1 + primitives_.size() / 2);

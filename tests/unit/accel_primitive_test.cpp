@@ -23,26 +23,26 @@ Shape randomQuadric(uint32_t kind, RandomNumbers& random) {
     const RigidTransform frame{randomRotation(random),
                                random.direction() * size * random.powerOfTen(-1.0, 3.0)};
     const double proportion = random.powerOfTen(-1.5, 1.5);
-    if (kind == gpu::kSphere)
+    if (kind == shared::kSphere)
         return shapeOf(Sphere{frame, size});
-    if (kind == gpu::kCylinder)
+    if (kind == shared::kCylinder)
         return shapeOf(Cylinder{frame, size, size * proportion});
-    if (kind == gpu::kCone)
+    if (kind == shared::kCone)
         return shapeOf(Cone{frame, random.sign() * size, proportion});
     return shapeOf(Disk{frame, size});
 }
 
 /// The point of the packed surface that lies farthest along the unit vector w.
-glm::dvec3 farthestPoint(const gpu::Quadric& quadric, const glm::dvec3& w) {
+glm::dvec3 farthestPoint(const shared::Quadric& quadric, const glm::dvec3& w) {
     const glm::dvec3 center(quadric.center);
     const glm::dvec3 axis(quadric.axisY);
     const double along = glm::dot(w, axis);
-    if (quadric.kind == gpu::kSphere)
+    if (quadric.kind == shared::kSphere)
         return center + double{quadric.radius} * w;
     const glm::dvec3 rim = double{quadric.radius} * glm::normalize(w - along * axis);
-    if (quadric.kind == gpu::kCylinder)
+    if (quadric.kind == shared::kCylinder)
         return center + std::copysign(0.5 * quadric.extent, along) * axis + rim;
-    if (quadric.kind == gpu::kDisk)
+    if (quadric.kind == shared::kDisk)
         return center + rim;
     const glm::dvec3 fromApex = double{quadric.extent} * axis + rim;
     return glm::dot(w, fromApex) > 0.0 ? center + fromApex : center;
@@ -56,7 +56,7 @@ TEST_P(QuadricBounds, HoldThePackedSurfaceAndLittleMore) {
         const Scene scene = sceneOf({randomQuadric(GetParam(), random)});
         const glm::dvec3 origin = i % 2 ? packingOrigin(scene) : glm::dvec3(0.0);
         const Bounds3f bounds = collectPrimitives(scene, origin)[0].bounds;
-        const gpu::Quadric packed = packQuadric(scene.shapes[0], origin, 0);
+        const shared::Quadric packed = packQuadric(scene.shapes[0], origin, 0);
         Bounds3d sampled;
         for (int k = 0; k < 1000; ++k) {
             const glm::dvec3 p = worldPoint(packed, randomSurfacePoint(packed, random).position);
@@ -100,7 +100,7 @@ TEST(Primitives, OfTrianglesHaveTheTightestBoxOfTheirPackedCorners) {
     const glm::dvec3 origin(0.1, 0.2, 0.3);
     const Mesh mesh = singleTriangle({1.0 / 3.0, 5, -2}, {1, 0.7, 3}, {-1.1, 2, 0});
     const Bounds3f bounds = collectPrimitives(sceneOf({shapeOf(mesh)}), origin)[0].bounds;
-    const gpu::Triangle packed = packTriangle(mesh, 0, origin, 0);
+    const shared::Triangle packed = packTriangle(mesh, 0, origin, 0);
     EXPECT_EQ(bounds.lower, glm::min(glm::min(packed.v0, packed.v1), packed.v2));
     EXPECT_EQ(bounds.upper, glm::max(glm::max(packed.v0, packed.v1), packed.v2));
 }

@@ -16,7 +16,7 @@ namespace {
 
 using Block = std::vector<glm::vec4>;
 
-constexpr auto kSamples = static_cast<float>(gpu::kSamplesPerBlock);
+constexpr auto kSamples = static_cast<float>(shared::kSamplesPerBlock);
 
 Block randomBlock(size_t pixels, std::mt19937& random) {
     std::uniform_real_distribution<float> unit;
@@ -44,7 +44,7 @@ TEST(AdaptiveFilm, IsAFilmWhereAllPixelsHaveAsManySamples) {
     for (size_t i = 0; i < a.pixels.size(); ++i) {
         EXPECT_NEAR(a.pixels[i].r, b.pixels[i].r, 1e-7f);
         EXPECT_NEAR(a.pixels[i].b, b.pixels[i].b, 1e-7f);
-        for (uint32_t replica = 0; replica < gpu::kReplicas; ++replica) {
+        for (uint32_t replica = 0; replica < shared::kReplicas; ++replica) {
             EXPECT_EQ(adaptive.samplesOfReplica(replica, i), even.samplesOfReplica(replica));
             EXPECT_EQ(adaptive.replicaLuminance(replica, i), even.replicaLuminance(replica, i));
         }
@@ -64,7 +64,7 @@ TEST(AdaptiveFilm, IsTheMeanOfItsHalves) {
     film.addBlock(2, block(4.0f, 99.0f), std::vector<uint8_t>{0, 1});
     EXPECT_EQ(film.blocksOf(0)[0], 2u);
     EXPECT_EQ(film.blocksOf(0)[1], 1u);
-    EXPECT_EQ(film.samples(), 5 * gpu::kSamplesPerBlock);
+    EXPECT_EQ(film.samples(), 5 * shared::kSamplesPerBlock);
     const Image picture = film.picture();
     EXPECT_FLOAT_EQ(picture.pixels[0].r, 0.5f * ((1.0f + 4.0f) / 2.0f + 2.0f));
     EXPECT_FLOAT_EQ(picture.pixels[1].r, 0.5f * (5.0f + 7.0f));

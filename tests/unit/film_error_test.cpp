@@ -18,7 +18,7 @@ namespace {
 
 using Block = std::vector<glm::vec4>;
 
-constexpr auto kSamples = static_cast<float>(gpu::kSamplesPerBlock);
+constexpr auto kSamples = static_cast<float>(shared::kSamplesPerBlock);
 
 /// A film of grey pixels: means[b][p] is the luminance that block b finds in pixel p.
 Film greyFilm(const std::vector<std::vector<double>>& means) {
@@ -84,7 +84,7 @@ double studentProbabilityWithin(double t, double freedom) {
 }
 
 TEST(ErrorEstimate, IntervalsAreStudents) {
-    for (uint32_t replicas = 2; replicas <= gpu::kReplicas; ++replicas) {
+    for (uint32_t replicas = 2; replicas <= shared::kReplicas; ++replicas) {
         std::vector<std::vector<double>> blocks;
         for (uint32_t block = 0; block < replicas; ++block)
             blocks.push_back({1.0 + block});
@@ -98,7 +98,7 @@ TEST(ErrorEstimate, IntervalsAreStudents) {
 Film noisyFilm(size_t pixels, double spread, uint32_t seed) {
     std::mt19937 random(seed);
     std::normal_distribution<double> normal(1.0, spread);
-    std::vector<std::vector<double>> blocks(gpu::kReplicas, std::vector<double>(pixels));
+    std::vector<std::vector<double>> blocks(shared::kReplicas, std::vector<double>(pixels));
     for (auto& block : blocks)
         for (double& mean : block)
             mean = normal(random);
@@ -138,9 +138,9 @@ TEST(ErrorEstimate, BoundHoldsButForOneIn400) {
 
 // One replica in eight of some pixels has all of its light: the rest of the picture looks alike.
 TEST(ErrorEstimate, DoubtsItselfWhereRareSamplesBringTheLight) {
-    std::vector<std::vector<double>> blocks(gpu::kReplicas, std::vector<double>(400, 1.0));
+    std::vector<std::vector<double>> blocks(shared::kReplicas, std::vector<double>(400, 1.0));
     for (size_t pixel = 0; pixel < 20; ++pixel)
-        blocks[pixel % gpu::kReplicas][20 * pixel] = 1000.0;
+        blocks[pixel % shared::kReplicas][20 * pixel] = 1000.0;
     const auto estimate = estimateError(greyFilm(blocks));
     ASSERT_TRUE(estimate);
     EXPECT_GT(*estimate->doubt, 100.0);
@@ -148,7 +148,7 @@ TEST(ErrorEstimate, DoubtsItselfWhereRareSamplesBringTheLight) {
 }
 
 TEST(ErrorEstimate, TakesBlackAndEvenPictures) {
-    std::vector<std::vector<double>> blocks(gpu::kReplicas, std::vector<double>(3, 0.0));
+    std::vector<std::vector<double>> blocks(shared::kReplicas, std::vector<double>(3, 0.0));
     EXPECT_FALSE(estimateError(greyFilm(blocks))) << "a black picture may lack all of its light";
     // What float sums round is no noise.
     for (uint32_t block = 0; block < blocks.size(); ++block)

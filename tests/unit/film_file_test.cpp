@@ -30,7 +30,7 @@ Block randomBlock(uint32_t index, size_t pixels) {
     for (glm::vec4& sum : block) {
         for (int channel = 0; channel < 3; ++channel)
             sum[channel] = std::ldexp(mantissa(random), exponent(random));
-        sum.w = static_cast<float>(gpu::kSamplesPerBlock);
+        sum.w = static_cast<float>(shared::kSamplesPerBlock);
     }
     return block;
 }

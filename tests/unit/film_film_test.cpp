@@ -16,7 +16,7 @@
 namespace calotype {
 namespace {
 
-constexpr float kWhole = gpu::kSamplesPerBlock;
+constexpr float kWhole = shared::kSamplesPerBlock;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 using Block = std::vector<glm::vec4>;
@@ -102,7 +102,7 @@ TEST(Film, KeepsTheLuminanceOfEachReplicaApart) {
     }
     EXPECT_EQ(film.samplesOfReplica(2), 32u);
     EXPECT_EQ(film.samplesOfReplica(3), 16u);
-    for (uint32_t replica = 0; replica < gpu::kReplicas; ++replica) {
+    for (uint32_t replica = 0; replica < shared::kReplicas; ++replica) {
         const double sum = replica < 3 ? 2.0 * replica + 8.0 : replica;
         EXPECT_NEAR(film.replicaLuminance(replica, 0), 0.2126 * sum, 1e-15 * sum);
         EXPECT_NEAR(film.replicaLuminance(replica, 1), (0.7152 + 2 * 0.0722) * sum, 1e-15 * sum);

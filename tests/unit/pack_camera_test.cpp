@@ -9,7 +9,7 @@
 namespace calotype::test {
 namespace {
 
-gpu::Camera pack(const Camera& camera) { return packCamera(camera, FilmFilter::Box, {}, 2.0); }
+shared::Camera pack(const Camera& camera) { return packCamera(camera, FilmFilter::Box, {}, 2.0); }
 
 void expectRefused(const Camera& camera, const char* fragment) {
     try {

@@ -12,11 +12,11 @@ namespace {
 /// Differences of two floats whose exponents differ by up to 88 are exact.
 using Exact = __float128;
 
-uint32_t byteOf(const gpu::uvec2& words, uint32_t slot) {
+uint32_t byteOf(const shared::uvec2& words, uint32_t slot) {
     return words[slot / 4] >> (8 * (slot % 4)) & 255u;
 }
 
-double cellSize(const gpu::BvhNode& node, int axis) {
+double cellSize(const shared::BvhNode& node, int axis) {
     return std::ldexp(1.0, static_cast<int>(node.nodesAndExponents >> (8 * axis) & 255u) - 127);
 }
 
@@ -26,9 +26,9 @@ struct PackedBox {
     Exact upper[3];
 };
 
-PackedBox boxOf(const gpu::BvhNode& node, uint32_t slot) {
-    const gpu::uvec2 lower[] = {node.lowerX, node.lowerY, node.lowerZ};
-    const gpu::uvec2 upper[] = {node.upperX, node.upperY, node.upperZ};
+PackedBox boxOf(const shared::BvhNode& node, uint32_t slot) {
+    const shared::uvec2 lower[] = {node.lowerX, node.lowerY, node.lowerZ};
+    const shared::uvec2 upper[] = {node.upperX, node.upperY, node.upperZ};
     PackedBox box{};
     for (int axis = 0; axis < 3; ++axis) {
         box.lower[axis] = Exact(byteOf(lower[axis], slot)) * Exact(cellSize(node, axis));
@@ -56,7 +56,7 @@ Bvh::Node randomNode(const glm::dvec3& place, double size, RandomNumbers& random
 }
 
 void expectToHold(const Bvh::Node& node) {
-    const gpu::BvhNode packed = packNode(node, {}, 0);
+    const shared::BvhNode packed = packNode(node, {}, 0);
     for (uint32_t slot = 0; slot < Bvh::kSlots; ++slot) {
         const PackedBox box = boxOf(packed, slot);
         for (int axis = 0; axis < 3; ++axis) {
@@ -109,7 +109,7 @@ TEST(PackNode, UsesMoreThanAQuarterOfItsGrid) {
     RandomNumbers random(73);
     for (int i = 0; i < 1000; ++i) {
         const Bvh::Node node = randomNode({}, random.powerOfTen(-10.0, 10.0), random);
-        const gpu::BvhNode packed = packNode(node, {}, 0);
+        const shared::BvhNode packed = packNode(node, {}, 0);
         for (int axis = 0; axis < 3; ++axis) {
             const double extent = double{node.bounds.upper[axis]} - node.bounds.lower[axis];
             EXPECT_LE(extent, 255.0 * cellSize(packed, axis));
@@ -124,7 +124,7 @@ TEST(PackNode, SaysWhatItsChildrenAre) {
     node.slots[1] = {node.bounds, Bvh::SlotKind::Triangles, 2};
     node.slots[3] = {node.bounds, Bvh::SlotKind::Node, 0};
     node.slots[6] = {node.bounds, Bvh::SlotKind::Quadrics, 3};
-    const gpu::BvhNode packed = packNode(node, {5, 9}, 77);
+    const shared::BvhNode packed = packNode(node, {5, 9}, 77);
     EXPECT_EQ(packed.childBase, 77u);
     EXPECT_EQ(packed.firstTriangle, 5u);
     EXPECT_EQ(packed.firstQuadric, 9u);

@@ -36,7 +36,7 @@ GpuScene packed(std::vector<Shape> shapes) {
 
 std::set<uint32_t> featuresOf(const GpuScene& scene) {
     std::set<uint32_t> enabled;
-    for (uint32_t i = 0; i < gpu::kFeatureCount; ++i)
+    for (uint32_t i = 0; i < shared::kFeatureCount; ++i)
         if (scene.features.enabled[i])
             enabled.insert(i);
     return enabled;
@@ -51,35 +51,37 @@ Mesh triangleOf(uint32_t material) {
 using Features = std::set<uint32_t>;
 
 TEST(PackScene, EnablesWhatTheSceneHasAndNothingElse) {
-    constexpr uint32_t kDiffuse = gpu::kFeatureDiffuse; // of material 0; lamps are black
-    EXPECT_EQ(featuresOf(packed({shapeOf(Sphere{})})), (Features{gpu::kFeatureSpheres, kDiffuse}));
+    constexpr uint32_t kDiffuse = shared::kFeatureDiffuse; // of material 0; lamps are black
+    EXPECT_EQ(featuresOf(packed({shapeOf(Sphere{})})),
+              (Features{shared::kFeatureSpheres, kDiffuse}));
     EXPECT_EQ(featuresOf(packed({shapeOf(Cylinder{})})),
-              (Features{gpu::kFeatureCylinders, kDiffuse}));
-    EXPECT_EQ(featuresOf(packed({shapeOf(Cone{})})), (Features{gpu::kFeatureCones, kDiffuse}));
-    EXPECT_EQ(featuresOf(packed({shapeOf(Disk{})})), (Features{gpu::kFeatureDisks, kDiffuse}));
+              (Features{shared::kFeatureCylinders, kDiffuse}));
+    EXPECT_EQ(featuresOf(packed({shapeOf(Cone{})})), (Features{shared::kFeatureCones, kDiffuse}));
+    EXPECT_EQ(featuresOf(packed({shapeOf(Disk{})})), (Features{shared::kFeatureDisks, kDiffuse}));
     EXPECT_EQ(featuresOf(packed({shapeOf(triangleOf(0))})),
-              (Features{gpu::kFeatureTriangles, kDiffuse}));
+              (Features{shared::kFeatureTriangles, kDiffuse}));
     EXPECT_EQ(featuresOf(packed({shapeOf(triangleOf(1))})),
-              (Features{gpu::kFeatureTriangles, gpu::kFeatureTriangleLights}));
-    EXPECT_EQ(featuresOf(packed({shapeOf(Sphere{}, 1), shapeOf(Disk{}, 2)})),
-              (Features{gpu::kFeatureSpheres, gpu::kFeatureDisks, gpu::kFeatureSphereLights,
-                        gpu::kFeatureDiskLights, gpu::kFeatureHiddenLights}));
+              (Features{shared::kFeatureTriangles, shared::kFeatureTriangleLights}));
+    EXPECT_EQ(
+        featuresOf(packed({shapeOf(Sphere{}, 1), shapeOf(Disk{}, 2)})),
+        (Features{shared::kFeatureSpheres, shared::kFeatureDisks, shared::kFeatureSphereLights,
+                  shared::kFeatureDiskLights, shared::kFeatureHiddenLights}));
     EXPECT_EQ(featuresOf(packed({shapeOf(Cylinder{}, 1), shapeOf(Cone{}, 1)})),
-              (Features{gpu::kFeatureCylinders, gpu::kFeatureCones, gpu::kFeatureCylinderLights,
-                        gpu::kFeatureConeLights}));
+              (Features{shared::kFeatureCylinders, shared::kFeatureCones,
+                        shared::kFeatureCylinderLights, shared::kFeatureConeLights}));
     Mesh smooth = triangleOf(0);
     smooth.normals = {{0, 0, 1}};
     smooth.triangles[0].normal[0] = smooth.triangles[0].normal[1] = smooth.triangles[0].normal[2] =
         0;
     EXPECT_EQ(featuresOf(packed({shapeOf(smooth)})),
-              (Features{gpu::kFeatureTriangles, gpu::kFeatureSmoothNormals, kDiffuse}));
+              (Features{shared::kFeatureTriangles, shared::kFeatureSmoothNormals, kDiffuse}));
 }
 
 // From a quarter of what rays visit on, quadrics are many; where they are alone, it does not
 // matter.
 TEST(PackScene, TellsFewQuadricsFromMany) {
     const auto areMany = [](std::vector<Shape> shapes) {
-        return packed(std::move(shapes)).features.enabled[gpu::kFeatureManyQuadrics];
+        return packed(std::move(shapes)).features.enabled[shared::kFeatureManyQuadrics];
     };
     // Boxes of 2 x 1 x 0 m about the triangle and a cube about the ball: half areas 2 and 3 d^2.
     const auto ball = [](double diameter) {
@@ -102,12 +104,12 @@ TEST(PackScene, LeavesOutMaterialsThatNothingBears) {
     scene.materials[1].type = MaterialType::Metal;
     scene.materials[1].colorTexture = 0;
     EXPECT_EQ(featuresOf(packAsProgram(scene).packed),
-              (Features{gpu::kFeatureSpheres, gpu::kFeatureDiffuse}));
+              (Features{shared::kFeatureSpheres, shared::kFeatureDiffuse}));
     EXPECT_LT(packAsProgram(scene).packed.texelRows.size(), 2u);
     scene.shapes[0].material = 1;
     EXPECT_EQ(featuresOf(packAsProgram(scene).packed),
-              (Features{gpu::kFeatureSpheres, gpu::kFeatureGgx, gpu::kFeatureMirrors,
-                        gpu::kFeatureColorTextures, gpu::kFeatureByteTexels}));
+              (Features{shared::kFeatureSpheres, shared::kFeatureGgx, shared::kFeatureMirrors,
+                        shared::kFeatureColorTextures, shared::kFeatureByteTexels}));
     EXPECT_EQ(packAsProgram(scene).packed.texelRows.size(), 64u * 64u / 4u);
 }
 
@@ -118,7 +120,7 @@ TEST(PackScene, BackgroundIsTheLastLight) {
     scene.background = glm::dvec3(0.5, 16.0, 1.0);
     const GpuScene packed = packAsProgram(scene).packed;
     ASSERT_EQ(packed.lightCount, 2u);
-    EXPECT_EQ(packed.lights[1].primitive, gpu::kBackground);
+    EXPECT_EQ(packed.lights[1].primitive, shared::kBackground);
     EXPECT_EQ(packed.lights[1].radiance, glm::vec3(0.5f, 16.0f, 1.0f));
     EXPECT_NEAR(packed.lights[1].selectionProbability, 0.5, 1e-6);
     EXPECT_EQ(packed.maxRadiance, 16.0);
@@ -130,10 +132,10 @@ TEST(PackScene, LinksLightsAndPrimitivesBothWays) {
     ASSERT_EQ(scene.lightCount, 3u);
     double chances = 0.0;
     for (uint32_t i = 0; i < scene.lightCount; ++i) {
-        const gpu::Light& light = scene.lights[i];
+        const shared::Light& light = scene.lights[i];
         chances += double(light.selectionProbability);
-        const bool isQuadric = light.primitive & gpu::kQuadricBit;
-        const uint32_t index = light.primitive & ~gpu::kQuadricBit;
+        const bool isQuadric = light.primitive & shared::kQuadricBit;
+        const uint32_t index = light.primitive & ~shared::kQuadricBit;
         EXPECT_EQ(isQuadric ? scene.quadrics[index].light : scene.triangles[index].light, i);
         const uint32_t id = isQuadric ? scene.quadrics[index].id : scene.triangles[index].id;
         // By luminance, area and sides, up to a common factor.
@@ -144,12 +146,13 @@ TEST(PackScene, LinksLightsAndPrimitivesBothWays) {
         const std::array areas = {16.0 * kPi, 0.0, 1.0, 9.0 * kPi};
         EXPECT_NEAR(light.area, areas[id], 1e-5);
         EXPECT_EQ(light.radiance, id == 2 ? glm::vec3(8, 0, 0) : glm::vec3(1, 2, 4));
-        EXPECT_EQ(light.flags, id == 2 ? gpu::kLightHiddenFromCamera : gpu::kLightEmitsFromBack);
+        EXPECT_EQ(light.flags,
+                  id == 2 ? shared::kLightHiddenFromCamera : shared::kLightEmitsFromBack);
     }
     EXPECT_NEAR(chances, 1.0, 1e-6);
     EXPECT_EQ(scene.maxRadiance, 8.0);
-    for (const gpu::Quadric& quadric : scene.quadrics)
-        EXPECT_EQ(quadric.light == gpu::kNone, quadric.id == 1);
+    for (const shared::Quadric& quadric : scene.quadrics)
+        EXPECT_EQ(quadric.light == shared::kNone, quadric.id == 1);
 }
 
 TEST(PackScene, ItsNodesShareOutThePrimitives) {
@@ -164,7 +167,7 @@ TEST(PackScene, ItsNodesShareOutThePrimitives) {
     std::vector<uint32_t> quadricLeaves(scene.quadrics.size());
     std::vector<uint32_t> places = {0};
     for (size_t i = 0; i < places.size(); ++i) {
-        const gpu::BvhNode& node = scene.nodes.at(places[i]);
+        const shared::BvhNode& node = scene.nodes.at(places[i]);
         uint32_t triangle = node.firstTriangle;
         uint32_t quadric = node.firstQuadric;
         for (uint32_t child = 0; child < 8; ++child) {
@@ -199,7 +202,7 @@ TEST(PackScene, CarriesMaterialsAndTheCamera) {
 
 TEST(PackScene, SpheresKeepWhatRoundingTakesFromTheirCentres) {
     const Scene scene = sceneOf({shapeOf(Sphere{{glm::dmat3(1.0), {0.1, -1e5, 0.3}}, 1e5 / 3.0})});
-    const gpu::Quadric sphere = packQuadric(scene.shapes[0], {0.0, 0.7, 5.0}, 0);
+    const shared::Quadric sphere = packQuadric(scene.shapes[0], {0.0, 0.7, 5.0}, 0);
     const glm::dvec3 center = glm::dvec3(sphere.center) + glm::dvec3(sphere.centerRest);
     // Moved by what rounding adds to the radius, so that the near side stays.
     const double excess = double{sphere.radius} - 1e5 / 3.0;
@@ -216,7 +219,7 @@ TEST(PackScene, OfNothingHasArraysAllTheSame) {
     EXPECT_EQ(scene.triangles.size(), 1u);
     EXPECT_EQ(scene.quadrics.size(), 1u);
     EXPECT_EQ(scene.lights.size(), 1u);
-    EXPECT_EQ(featuresOf(scene), Features{gpu::kFeatureTriangles});
+    EXPECT_EQ(featuresOf(scene), Features{shared::kFeatureTriangles});
 }
 
 TEST(PackTriangle, NormalIsThatOfThePackedCorners) {
@@ -227,7 +230,7 @@ TEST(PackTriangle, NormalIsThatOfThePackedCorners) {
         const glm::vec3 v1(size * random.inBall());
         // Needles among them.
         const glm::vec3 v2(glm::dvec3(v0) + random.powerOfTen(-5.0, 0.0) * size * random.inBall());
-        const gpu::Triangle packed = packTriangle(v0, v1, v2);
+        const shared::Triangle packed = packTriangle(v0, v1, v2);
         const glm::dvec3 cross =
             glm::cross(glm::dvec3(v1) - glm::dvec3(v0), glm::dvec3(v2) - glm::dvec3(v0));
         const glm::dvec3 normal = cross / glm::length(cross);
@@ -239,10 +242,10 @@ TEST(PackTriangle, NormalIsThatOfThePackedCorners) {
 
 TEST(PackTriangle, NormalOfCornersThatRoundingJoinsIsTheExactOne) {
     Mesh mesh = singleTriangle({1e9, 0, 0}, {1e9, 1e-3, 0}, {1e9, 0, 1e-3});
-    const gpu::Triangle packed = packTriangle(mesh, 0, {0.0, 0.0, 0.0}, 0);
+    const shared::Triangle packed = packTriangle(mesh, 0, {0.0, 0.0, 0.0}, 0);
     EXPECT_EQ(glm::vec3(packed.normalX, packed.normalY, packed.normalZ), glm::vec3(1, 0, 0));
     mesh.positions = {{1e9, 0, 1e9}, {1e9, 1e-3, 1e9}, {1e9 + 1e-3, 0, 1e9}};
-    const gpu::Triangle joined = packTriangle(mesh, 0, {0.0, 0.0, 0.0}, 0);
+    const shared::Triangle joined = packTriangle(mesh, 0, {0.0, 0.0, 0.0}, 0);
     EXPECT_EQ(joined.v0, joined.v2);
     EXPECT_NEAR(joined.normalZ, -1.0f, 1e-6f);
 }

@@ -41,8 +41,8 @@ public:
             sums_[i] = {0.0f, 0.0f, 0.0f, !isLeftOut.empty() && isLeftOut[i] ? 16.0f : 0.0f};
     }
 
-    gpu::RenderCounters renderTiles(TileRange, uint32_t sampleEnd) override {
-        gpu::RenderCounters counters{};
+    shared::RenderCounters renderTiles(TileRange, uint32_t sampleEnd) override {
+        shared::RenderCounters counters{};
         for (size_t i = 0; i < sums_.size(); ++i) {
             const auto done = static_cast<uint32_t>(sums_[i].w);
             const uint32_t end = std::min(sampleEnd, done + pause_);

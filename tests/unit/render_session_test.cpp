@@ -24,8 +24,8 @@ public:
         std::ranges::fill(sums_, glm::vec4(0.0f));
     }
 
-    gpu::RenderCounters renderTiles(TileRange, uint32_t sampleEnd) override {
-        gpu::RenderCounters counters{};
+    shared::RenderCounters renderTiles(TileRange, uint32_t sampleEnd) override {
+        shared::RenderCounters counters{};
         const auto done = static_cast<uint32_t>(sums_[0].w);
         pauses_ = !pauses_;
         const uint32_t end = pauses_ ? std::min(done + 1, sampleEnd) : sampleEnd;
@@ -134,7 +134,7 @@ public:
 
     void beginBlock(uint32_t firstSample, std::span<const uint8_t>) override {
         CountingTracer::beginBlock(firstSample, {});
-        block_ = firstSample / gpu::kSamplesPerBlock;
+        block_ = firstSample / shared::kSamplesPerBlock;
     }
 
     std::span<const glm::vec4> readBlock() override {

@@ -39,8 +39,8 @@ public:
             sums_[i] = {0, 0, 0, !isLeftOut.empty() && isLeftOut[i] ? 16.0f : 0.0f};
     }
 
-    gpu::RenderCounters renderTiles(TileRange, uint32_t sampleEnd) override {
-        gpu::RenderCounters counters{};
+    shared::RenderCounters renderTiles(TileRange, uint32_t sampleEnd) override {
+        shared::RenderCounters counters{};
         const bool isNoisy = settings_.render.sampler == Sampler::Independent;
         const float mean = settings_.render.maxBounces < 8 ? 0.8f : 1.0f;
         std::normal_distribution<float> noise(mean, isNoisy ? 0.4f : 0.2f);
@@ -141,7 +141,7 @@ public:
     SleepyTracer(const StudySettings& settings, const std::function<bool()>& isSlow)
         : NoiseTracer(settings), isSlow_(isSlow) {}
 
-    gpu::RenderCounters renderTiles(TileRange tiles, uint32_t sampleEnd) override {
+    shared::RenderCounters renderTiles(TileRange tiles, uint32_t sampleEnd) override {
         std::this_thread::sleep_for(std::chrono::milliseconds(isSlow_() ? 6 : 2));
         return NoiseTracer::renderTiles(tiles, sampleEnd);
     }

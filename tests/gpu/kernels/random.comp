@@ -15,10 +15,9 @@ void main() {
         return;
     uvec4 w = words[i];
     SampleId id = SampleId(w.xy, w.z, 7u);
-    uvec4 ofBounce = uvec4(bounceDimension(w.x, kDimensionLight),
-                           bounceDimension(w.x, kDimensionBsdf),
-                           bounceDimension(w.x, kDimensionAlpha),
-                           bounceDimension(w.x, kDimensionMediumDistance));
+    uvec4 ofBounce = uvec4(
+        bounceDimension(w.x, kDimensionLight), bounceDimension(w.x, kDimensionBsdf),
+        bounceDimension(w.x, kDimensionAlpha), bounceDimension(w.x, kDimensionMediumDistance));
     uvec4 others = uvec4(bounceDimension(w.x, kDimensionMediumPhase), kDimensionCamera,
                          kDimensionTime, kDimensionWavelength);
     randoms[i] = TestRandom(pcg4d(w), unitFloats(w), uniformRandom(id, w.w), sobolRandom(id, w.w),

@@ -7,10 +7,10 @@
 CALOTYPE_BEGIN_SHARED
 
 struct TestRandom {
-    uvec4 hash;       ///< pcg4d(w)
-    vec4 units;       ///< unitFloats(w)
-    vec4 uniforms;    ///< uniformRandom of pixel w.xy, sample w.z, dimension w.w, seed 7
-    vec4 sobol;       ///< sobolRandom of the same
+    uvec4 hash;             ///< pcg4d(w)
+    vec4 units;             ///< unitFloats(w)
+    vec4 uniforms;          ///< uniformRandom of pixel w.xy, sample w.z, dimension w.w, seed 7
+    vec4 sobol;             ///< sobolRandom of the same
     uvec4 bounceDimensions; ///< of bounce w.x: light, BSDF, alpha, medium distance
     uvec4 otherDimensions;  ///< medium phase of bounce w.x; camera, time, wavelength
 };
