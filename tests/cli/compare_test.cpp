@@ -8,6 +8,7 @@
 #include "image/pfm.h"
 #include "image/read_texel_image.h"
 #include "support/image_files.h"
+#include "support/paths.h"
 
 namespace calotype::test {
 namespace {
@@ -194,7 +195,7 @@ TEST_F(CompareTest, HelpExplainsTheColoursAndTheExitCode) {
 // A public picture in both forms, where the display's form cuts off what is brighter than white.
 TEST_F(CompareTest, ReadsPicturesOfOtherPrograms) {
     const std::string stem =
-        CALOTYPE_SOURCE_DIR "/../shared/data/bitterli-cornell-box/TungstenRender";
+        kProjectFolder + std::string("/../shared/data/bitterli-cornell-box/TungstenRender");
     if (!std::filesystem::exists(stem + ".exr"))
         GTEST_SKIP() << "../shared/data is not there";
     const ProgramResult result = runProgram({"compare", stem + ".png", stem + ".exr"});

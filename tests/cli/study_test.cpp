@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "cli/cli_test.h"
+#include "support/paths.h"
 
 namespace calotype::test {
 namespace {
@@ -23,7 +24,7 @@ protected:
 
 TEST_F(StudyTest, TimedRunWritesTableAndPlotAndPage) {
     // Its error is spread over all pixels, so that few samples tell it well.
-    scene_ = std::string(CALOTYPE_SOURCE_DIR) + "/scenes/cornell-box.json";
+    scene_ = std::string(kProjectFolder) + "/scenes/cornell-box.json";
     const ProgramResult result = study({"--budget", "20s", "--size", "32x32"});
     ASSERT_EQ(result.exitCode, 0) << result.errors;
     EXPECT_LT(result.seconds, 25.0);

@@ -8,6 +8,7 @@
 #include "image/exr.h"
 #include "support/gpu_test.h"
 #include "support/image_means.h"
+#include "support/paths.h"
 #include "support/render_scene.h"
 
 namespace calotype::test {
@@ -19,7 +20,7 @@ class ReferenceTest : public GpuTest {};
 // samples; 64 keep within them and leave time for the other tests.
 TEST_F(ReferenceTest, BitterliCornellBox) {
     const std::filesystem::path reference =
-        std::filesystem::path(CALOTYPE_SOURCE_DIR) /
+        std::filesystem::path(kProjectFolder) /
         "../shared/data/bitterli-cornell-box/TungstenRender.exr";
     const Scene scene = projectScene("tests/image/scenes/bitterli-cornell-box.json");
     RenderWish wish;
@@ -48,7 +49,7 @@ TEST_F(ReferenceTest, BitterliCornellBox) {
 // What is left are diffuse walls, lit by spheres whose areas differ 400-fold, and the spheres
 // themselves.
 TEST_F(ReferenceTest, BitterliVeachMisButForItsPlates) {
-    const std::filesystem::path reference = std::filesystem::path(CALOTYPE_SOURCE_DIR) /
+    const std::filesystem::path reference = std::filesystem::path(kProjectFolder) /
                                             "../shared/data/bitterli-veach-mis/TungstenRender.exr";
     if (!std::filesystem::exists(reference)) {
         GTEST_SKIP() << "there is no " << reference;

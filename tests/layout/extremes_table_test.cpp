@@ -11,12 +11,14 @@
 
 #include <gtest/gtest.h>
 
+#include "support/paths.h"
+
 namespace calotype::test {
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kTests = fs::path(CALOTYPE_SOURCE_DIR) / "tests";
+const fs::path kTests = fs::path(kProjectFolder) / "tests";
 
 std::string textOf(const fs::path& file) {
     std::ostringstream text;

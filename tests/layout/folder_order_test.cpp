@@ -11,12 +11,14 @@
 
 #include <gtest/gtest.h>
 
+#include "support/paths.h"
+
 namespace calotype::test {
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kRoot = CALOTYPE_SOURCE_DIR;
+const fs::path kRoot = kProjectFolder;
 
 std::vector<fs::path> filesBelow(const fs::path& folder) {
     std::vector<fs::path> files;
@@ -128,7 +130,7 @@ TEST(FolderOrderTest, LinesFitIntoAHundredColumns) {
 
 // What the program needs from the system, as the dynamic linker sees it.
 TEST(FolderOrderTest, ProgramLinksNoWindowSystem) {
-    FILE* pipe = popen("readelf -d '" CALOTYPE_PROGRAM "'", "r");
+    FILE* pipe = popen(("readelf -d '" + std::string(kProgram) + "'").c_str(), "r");
     ASSERT_NE(pipe, nullptr);
     std::string libraries;
     char buffer[4096];

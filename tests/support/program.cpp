@@ -1,4 +1,5 @@
 #include "support/program.h"
+#include "support/paths.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -20,11 +21,11 @@ using Clock = std::chrono::steady_clock;
                                const ProgramOptions& options) {
     for (const auto& [name, value] : options.environment)
         setenv(name.c_str(), value.c_str(), 1);
-    std::vector<char*> argv = {const_cast<char*>(CALOTYPE_PROGRAM)};
+    std::vector<char*> argv = {const_cast<char*>(kProgram)};
     for (const std::string& argument : arguments)
         argv.push_back(const_cast<char*>(argument.c_str()));
     argv.push_back(nullptr);
-    execv(CALOTYPE_PROGRAM, argv.data());
+    execv(kProgram, argv.data());
     _exit(127);
 }
 

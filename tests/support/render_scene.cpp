@@ -2,6 +2,7 @@
 
 #include "scene/load.h"
 #include "support/device_tracer.h"
+#include "support/paths.h"
 
 namespace calotype::test {
 
@@ -23,7 +24,7 @@ RenderedScene renderScene(const Scene& scene, const RenderWish& wish) {
 }
 
 Scene projectScene(const std::string& path) {
-    return loadScene(std::string(CALOTYPE_SOURCE_DIR) + "/" + path);
+    return loadScene(std::string(kProjectFolder) + "/" + path);
 }
 
 } // namespace calotype::test

@@ -11,6 +11,7 @@
 #include "image/read_texel_image.h"
 #include "image/texel_channel.h"
 #include "scene/texture.h"
+#include "support/paths.h"
 #include "unit/memory_use.h"
 #include "unit/scene_files.h"
 
@@ -34,7 +35,7 @@ private:
 
 std::vector<fs::path> imagesOf(const std::string& folder) {
     std::vector<fs::path> paths;
-    const fs::path root = fs::path(CALOTYPE_SOURCE_DIR) / "../shared/data" / folder;
+    const fs::path root = fs::path(kProjectFolder) / "../shared/data" / folder;
     if (fs::exists(root))
         for (const auto& entry : fs::recursive_directory_iterator(root))
             if (const std::string extension = entry.path().extension();

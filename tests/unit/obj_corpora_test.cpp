@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "support/paths.h"
 #include "unit/memory_use.h"
 #include "unit/scene_files.h"
 
@@ -13,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 TEST(ObjCorpora, EdgeCasesLoadOrAreRefused) {
-    const fs::path root = fs::path(CALOTYPE_SOURCE_DIR) / "../shared/data/obj-edge-cases";
+    const fs::path root = fs::path(kProjectFolder) / "../shared/data/obj-edge-cases";
     if (!fs::exists(root)) {
         GTEST_SKIP() << "../shared/data is not there";
     }

@@ -8,13 +8,14 @@
 #include <sys/wait.h>
 
 #include "scene_files.h"
+#include "support/paths.h"
 
 namespace calotype::test {
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kSourceFolder = CALOTYPE_SOURCE_DIR;
+const fs::path kSourceFolder = kProjectFolder;
 
 nlohmann::json readJson(const fs::path& path) {
     std::ifstream file(path);
