@@ -39,11 +39,11 @@ CALOTYPE_CONSTANT uint kRaysPerGroup = 256;
 CALOTYPE_END_SHARED
 
 #ifdef __cplusplus
-namespace calotype::gpu {
+namespace calotype::shared {
 static_assert(sizeof(ListedRay) == 32);
 static_assert(sizeof(ListedHit) == 8);
 static_assert(sizeof(RayListParameters) == 48);
-} // namespace calotype::gpu
+} // namespace calotype::shared
 #endif
 
 #endif

@@ -80,13 +80,13 @@ struct FirstHitRecord {
 CALOTYPE_END_SHARED
 
 #ifdef __cplusplus
-namespace calotype::gpu {
+namespace calotype::shared {
 static_assert(sizeof(RenderParameters) == 56);
 static_assert(sizeof(RenderCounters) == 32);
 static_assert(sizeof(ParkedPath) == 112);
 static_assert(sizeof(FirstHitParameters) == 32);
 static_assert(sizeof(FirstHitRecord) == 64);
-} // namespace calotype::gpu
+} // namespace calotype::shared
 #endif
 
 #endif

@@ -187,7 +187,7 @@ struct Camera {
 CALOTYPE_END_SHARED
 
 #ifdef __cplusplus
-namespace calotype::gpu {
+namespace calotype::shared {
 static_assert(sizeof(BvhNode) == 80);
 static_assert(sizeof(Triangle) == 64);
 static_assert(sizeof(TriangleNormals) == 48);
@@ -197,7 +197,7 @@ static_assert(sizeof(Material) == 64);
 static_assert(sizeof(Texture) == 64);
 static_assert(sizeof(Light) == 48);
 static_assert(sizeof(Camera) == 96);
-} // namespace calotype::gpu
+} // namespace calotype::shared
 #endif
 
 #endif

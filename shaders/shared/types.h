@@ -9,16 +9,16 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-namespace calotype::gpu {
+namespace calotype::shared {
 using glm::uvec2;
 using glm::uvec4;
 using glm::vec2;
 using glm::vec3;
 using glm::vec4;
 using uint = uint32_t;
-} // namespace calotype::gpu
+} // namespace calotype::shared
 
-#define CALOTYPE_BEGIN_SHARED namespace calotype::gpu {
+#define CALOTYPE_BEGIN_SHARED namespace calotype::shared {
 #define CALOTYPE_END_SHARED }
 #define CALOTYPE_CONSTANT inline constexpr
 #else
