@@ -13,7 +13,7 @@ class SceneBuffers {
 public:
     SceneBuffers(const Device& device, const GpuScene& scene);
 
-    /// For the kernels that include scene/buffers.glsl.
+    /// For the kernels that include buffers/packed_scene.glsl.
     std::vector<Binding> bindings() const;
 
 private:

@@ -8,9 +8,9 @@
 #include "bsdf/diffuse.glsl"
 #include "bsdf/ggx.glsl"
 #include "bsdf/shading_normal.glsl"
+#include "config/features.glsl"
 #include "core/frame.glsl"
 #include "core/select.glsl"
-#include "scene/features.glsl"
 #include "shared/limits.h"
 #include "shared/scene_structs.h"
 

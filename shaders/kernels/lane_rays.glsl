@@ -7,7 +7,7 @@
 #ifndef CALOTYPE_KERNELS_LANE_RAYS_GLSL
 #define CALOTYPE_KERNELS_LANE_RAYS_GLSL
 
-#include "scene/traversal.glsl"
+#include "accel/traversal.glsl"
 
 layout(constant_id = kConstantNodeEighths) const uint kNodeEighths = 5u;
 layout(constant_id = kConstantPrimitiveEighths) const uint kPrimitiveEighths = 3u;

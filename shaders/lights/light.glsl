@@ -2,14 +2,14 @@
 #ifndef CALOTYPE_LIGHTS_LIGHT_GLSL
 #define CALOTYPE_LIGHTS_LIGHT_GLSL
 
+#include "buffers/packed_scene.glsl"
+#include "config/features.glsl"
 #include "core/constants.glsl"
 #include "core/random.glsl"
 #include "lights/background.glsl"
 #include "lights/quadric_light.glsl"
 #include "lights/sphere_light.glsl"
 #include "lights/triangle_light.glsl"
-#include "scene/buffers.glsl"
-#include "scene/features.glsl"
 
 struct LightChoice {
     uint light;

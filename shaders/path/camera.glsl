@@ -2,10 +2,10 @@
 #ifndef CALOTYPE_PATH_CAMERA_GLSL
 #define CALOTYPE_PATH_CAMERA_GLSL
 
+#include "config/features.glsl"
 #include "core/constants.glsl"
 #include "core/ray.glsl"
 #include "core/warp.glsl"
-#include "scene/features.glsl"
 #include "shared/scene_structs.h"
 
 /// Ray through a position on the film, in pixels from the top left corner, from the point of the

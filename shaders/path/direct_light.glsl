@@ -2,11 +2,11 @@
 #ifndef CALOTYPE_PATH_DIRECT_LIGHT_GLSL
 #define CALOTYPE_PATH_DIRECT_LIGHT_GLSL
 
+#include "config/transport.glsl"
 #include "core/random.glsl"
 #include "lights/light.glsl"
 #include "path/mis.glsl"
 #include "path/visibility.glsl"
-#include "scene/transport.glsl"
 
 struct LightSample {
     Ray ray;       ///< towards the light, ending at it

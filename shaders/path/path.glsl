@@ -3,11 +3,11 @@
 #ifndef CALOTYPE_PATH_PATH_GLSL
 #define CALOTYPE_PATH_PATH_GLSL
 
+#include "config/sampler.glsl"
+#include "config/transport.glsl"
+#include "film/film_filter.glsl"
 #include "path/camera.glsl"
 #include "path/direct_light.glsl"
-#include "scene/film_filter.glsl"
-#include "scene/sampler.glsl"
-#include "scene/transport.glsl"
 
 struct Path {
     SampleId id;

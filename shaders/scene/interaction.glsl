@@ -2,7 +2,7 @@
 #ifndef CALOTYPE_SCENE_INTERACTION_GLSL
 #define CALOTYPE_SCENE_INTERACTION_GLSL
 
-#include "scene/traversal.glsl"
+#include "accel/traversal.glsl"
 #include "shapes/surface_coordinates.glsl"
 #include "shapes/terminator.glsl"
 #include "shapes/triangle_barycentrics.glsl"

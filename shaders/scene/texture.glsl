@@ -6,9 +6,9 @@
 #ifndef CALOTYPE_SCENE_TEXTURE_GLSL
 #define CALOTYPE_SCENE_TEXTURE_GLSL
 
+#include "buffers/packed_scene.glsl"
+#include "config/features.glsl"
 #include "core/srgb.glsl"
-#include "scene/buffers.glsl"
-#include "scene/features.glsl"
 
 /// Texture coordinates brought into [0, 1].
 vec2 wrapCoordinates(vec2 uv, uint flags) {
@@ -41,11 +41,11 @@ vec4 loadTexel(Texture image, int i, int j, bool decode) {
     uint index = row * image.width + column;
     vec4 texel = vec4(0.0);
     if (hasByteTexels && (image.flags & kTextureHoldsFloats) == 0u) {
-        uvec4 words = texelFetch(texelRows, int(image.firstRow + (index >> 2u)));
+        uvec4 words = loadTexelRow(image.firstRow + (index >> 2u));
         texel = unpackBytes(words[index & 3u]);
     }
     if (hasFloatTexels && (image.flags & kTextureHoldsFloats) != 0u)
-        texel = uintBitsToFloat(texelFetch(texelRows, int(image.firstRow + index)));
+        texel = uintBitsToFloat(loadTexelRow(image.firstRow + index));
     bool encoded = decode && (image.flags & kTextureIsEncoded) != 0u;
     return vec4(encoded ? linearFromSrgb(texel.rgb) : texel.rgb, texel.a);
 }

@@ -2,8 +2,8 @@
 #ifndef CALOTYPE_SHAPES_QUADRIC_GLSL
 #define CALOTYPE_SHAPES_QUADRIC_GLSL
 
+#include "config/features.glsl"
 #include "core/select.glsl"
-#include "scene/features.glsl"
 #include "shapes/cone.glsl"
 #include "shapes/cylinder.glsl"
 #include "shapes/disk.glsl"

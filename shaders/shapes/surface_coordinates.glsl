@@ -2,8 +2,8 @@
 #ifndef CALOTYPE_SHAPES_SURFACE_COORDINATES_GLSL
 #define CALOTYPE_SHAPES_SURFACE_COORDINATES_GLSL
 
+#include "config/features.glsl"
 #include "core/trigonometry.glsl"
-#include "scene/features.glsl"
 #include "shapes/cone.glsl"
 #include "shapes/cylinder.glsl"
 #include "shared/scene_structs.h"

@@ -24,7 +24,7 @@ CALOTYPE_CONSTANT uint kMostTilesPerDispatch = 65535;
 /// Deepest node of a BVH below its root, which bounds the traversal stack.
 CALOTYPE_CONSTANT uint kMaxBvhDepth = 32;
 
-/// Places of nodes have 24 bits: scene/wide_node.glsl keeps eight others in the same word.
+/// Places of nodes have 24 bits: accel/wide_node.glsl keeps eight others in the same word.
 CALOTYPE_CONSTANT uint kMostNodes = 1u << 24u;
 
 /// Rows of the largest primitive, eight at most, are numbered by 31 bits.

@@ -51,7 +51,7 @@ std::vector<Out> runKernel(std::span<const uint32_t> spirv, const std::vector<In
     return {results.begin(), results.end()};
 }
 
-/// First binding of the input and output arrays in kernels that include scene/buffers.glsl.
+/// First binding of the input and output arrays in kernels that include buffers/packed_scene.glsl.
 inline constexpr uint32_t kTestInputBinding = 20;
 
 } // namespace calotype::test

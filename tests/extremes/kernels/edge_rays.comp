@@ -3,10 +3,10 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
 
+#include "accel/traversal.glsl"
 #include "core/random.glsl"
 #include "core/warp.glsl"
 #include "extremes/kernels/edge_ray_structs.h"
-#include "scene/traversal.glsl"
 
 layout(local_size_x = 64) in;
 layout(set = 0, binding = kBindingEdgeBatches) readonly buffer Inputs { EdgeBatch batches[]; };

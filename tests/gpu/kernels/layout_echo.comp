@@ -3,7 +3,7 @@
 // array of the scene, then what a dispatch is told.
 #extension GL_GOOGLE_include_directive : require
 
-#include "scene/buffers.glsl"
+#include "buffers/packed_scene.glsl"
 #include "shared/ray_structs.h"
 #include "shared/render_structs.h"
 #include "support/kernels/test_structs.h"

@@ -2,7 +2,7 @@
 // Positions in and around a pixel.
 #extension GL_GOOGLE_include_directive : require
 
-#include "scene/film_filter.glsl"
+#include "film/film_filter.glsl"
 #include "support/kernels/test_structs.h"
 
 layout(local_size_x = 64) in;

@@ -7,7 +7,7 @@
 
 CALOTYPE_BEGIN_SHARED
 
-/// First bindings of the arrays in kernels that include scene/buffers.glsl.
+/// First bindings of the arrays in kernels that include buffers/packed_scene.glsl.
 CALOTYPE_CONSTANT uint kBindingTestInputs = 20;
 CALOTYPE_CONSTANT uint kBindingTestOutputs = 21;
 

@@ -3,7 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
 
-#include "scene/traversal.glsl"
+#include "accel/traversal.glsl"
 #include "support/kernels/test_structs.h"
 
 layout(local_size_x = 64) in;

@@ -1,6 +1,6 @@
 // How a path's random numbers are drawn, as the kernel was specialised.
-#ifndef CALOTYPE_SCENE_SAMPLER_GLSL
-#define CALOTYPE_SCENE_SAMPLER_GLSL
+#ifndef CALOTYPE_CONFIG_SAMPLER_GLSL
+#define CALOTYPE_CONFIG_SAMPLER_GLSL
 
 #include "core/sobol.glsl"
 #include "shared/bindings.h"

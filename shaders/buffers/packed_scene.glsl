@@ -1,7 +1,7 @@
 // The packed scene's texel buffers, and reading a struct from its rows. The order of the rows is
 // that of the fields in shared/scene_structs.h; tests/gpu echoes every field back.
-#ifndef CALOTYPE_SCENE_BUFFERS_GLSL
-#define CALOTYPE_SCENE_BUFFERS_GLSL
+#ifndef CALOTYPE_BUFFERS_PACKED_SCENE_GLSL
+#define CALOTYPE_BUFFERS_PACKED_SCENE_GLSL
 
 #include "shared/bindings.h"
 #include "shared/scene_structs.h"
@@ -83,6 +83,9 @@ Texture loadTexture(uint index) {
     return Texture(row0.xy, row0.zw, row1.x, row1.y, row1.z, row1.w, floats(row2), row2.w,
                    floats(row3), row3.w);
 }
+
+/// A row of the texels of all images: four texels of 8-bit RGBA, or one of four floats.
+uvec4 loadTexelRow(uint row) { return texelFetch(texelRows, int(row)); }
 
 Light loadLight(uint index) {
     uvec4 row0 = texelFetch(lightRows, int(3u * index));

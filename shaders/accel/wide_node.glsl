@@ -15,12 +15,12 @@
 //
 // Components of the direction below 1e-18 are replaced before the reciprocal, so axis-parallel rays
 // meet no NaN and no infinity.
-#ifndef CALOTYPE_SCENE_WIDE_NODE_GLSL
-#define CALOTYPE_SCENE_WIDE_NODE_GLSL
+#ifndef CALOTYPE_ACCEL_WIDE_NODE_GLSL
+#define CALOTYPE_ACCEL_WIDE_NODE_GLSL
 
+#include "config/features.glsl"
 #include "core/rounding.glsl"
 #include "core/select.glsl"
-#include "scene/features.glsl"
 #include "shapes/slab.glsl"
 #include "shared/scene_structs.h"
 

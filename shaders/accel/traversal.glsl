@@ -1,12 +1,12 @@
 // Through the BVH: the closest hit, or whether there is any.
-#ifndef CALOTYPE_SCENE_TRAVERSAL_GLSL
-#define CALOTYPE_SCENE_TRAVERSAL_GLSL
+#ifndef CALOTYPE_ACCEL_TRAVERSAL_GLSL
+#define CALOTYPE_ACCEL_TRAVERSAL_GLSL
 
+#include "accel/wide_node.glsl"
+#include "buffers/packed_scene.glsl"
+#include "config/features.glsl"
 #include "core/ray.glsl"
 #include "core/select.glsl"
-#include "scene/buffers.glsl"
-#include "scene/features.glsl"
-#include "scene/wide_node.glsl"
 #include "shapes/quadric.glsl"
 #include "shapes/triangle.glsl"
 #include "shared/limits.h"

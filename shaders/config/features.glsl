@@ -1,6 +1,6 @@
 // What the scene at hand requires. All default to true: specialising only ever removes code.
-#ifndef CALOTYPE_SCENE_FEATURES_GLSL
-#define CALOTYPE_SCENE_FEATURES_GLSL
+#ifndef CALOTYPE_CONFIG_FEATURES_GLSL
+#define CALOTYPE_CONFIG_FEATURES_GLSL
 
 #include "shared/bindings.h"
 

@@ -1,11 +1,11 @@
 // Where in and around its pixel a sample falls: distributed as the film's filter, so that a sample
 // belongs to one pixel and has weight one (Ernst, Stamminger and Greiner 2006, "Filter Importance
 // Sampling").
-#ifndef CALOTYPE_SCENE_FILM_FILTER_GLSL
-#define CALOTYPE_SCENE_FILM_FILTER_GLSL
+#ifndef CALOTYPE_FILM_FILM_FILTER_GLSL
+#define CALOTYPE_FILM_FILM_FILTER_GLSL
 
-#include "scene/buffers.glsl"
-#include "scene/features.glsl"
+#include "buffers/packed_scene.glsl"
+#include "config/features.glsl"
 #include "shared/limits.h"
 
 /// Distance from the pixel's centre along one axis: the table holds the filter's quantiles in equal

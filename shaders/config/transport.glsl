@@ -1,6 +1,6 @@
 // How light is looked for along a path, as the kernel was specialised.
-#ifndef CALOTYPE_SCENE_TRANSPORT_GLSL
-#define CALOTYPE_SCENE_TRANSPORT_GLSL
+#ifndef CALOTYPE_CONFIG_TRANSPORT_GLSL
+#define CALOTYPE_CONFIG_TRANSPORT_GLSL
 
 #include "shared/bindings.h"
 
