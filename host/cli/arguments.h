@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/options.h"
+#include "settings/bvh_builder.h"
 
 namespace calotype {
 

@@ -6,7 +6,7 @@
 
 #include "cli/statistics.h"
 #include "gpu/device_list.h"
-#include "render/render_settings.h"
+#include "settings/render_settings.h"
 
 namespace calotype {
 

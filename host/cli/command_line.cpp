@@ -14,6 +14,7 @@
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/parse_values.h"
+#include "settings/limits.h"
 
 namespace calotype {
 namespace {
@@ -129,7 +130,7 @@ CLI::App& addBenchCommand(CLI::App& app, BenchOptions& options) {
         ->type_name("SCENE");
     addOverrides(command, options.overrides);
     command.add_option("--spp", options.samplesPerPixel, "Samples per pixel of a repeat")
-        ->check(CLI::Range(1u, RenderDefaults::kMostSamplesPerPixel))
+        ->check(CLI::Range(1u, kMostSamplesPerPixel))
         ->capture_default_str()
         ->type_name("N");
     command.add_option("--repeats", options.repeats, "Repeats of each measurement")

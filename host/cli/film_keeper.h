@@ -7,8 +7,9 @@
 #include "cli/options.h"
 #include "film/film_file.h"
 #include "gpu/device_list.h"
-#include "render/render_settings.h"
 #include "scene/scene.h"
+#include "settings/bvh_builder.h"
+#include "settings/render_settings.h"
 
 namespace calotype {
 

@@ -5,11 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "accel/build_bvh.h"
 #include "film/display_transform.h"
 #include "image/exr_layers.h"
-#include "render/render_settings.h"
 #include "scene/load.h"
+#include "settings/bvh_builder.h"
+#include "settings/light_choice.h"
+#include "settings/render_settings.h"
 
 namespace calotype {
 

@@ -11,9 +11,10 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/names.h"
 #include "image/image.h"
-#include "scene/names.h"
 #include "scene/scene.h"
+#include "settings/limits.h"
 #include "shared/limits.h"
 
 namespace calotype {
@@ -197,12 +198,11 @@ LayerOptions parseLayers(const std::string& text) {
 }
 
 SampleRange parseSamples(const std::string& text) {
-    static_assert(shared::kSamplesPerBlock == 16 &&
-                      RenderDefaults::kMostSamplesPerPixel == 67'108'864,
+    static_assert(shared::kSamplesPerBlock == 16 && kMostSamplesPerPixel == 67'108'864,
                   "as the message says");
     const auto numbers = parseList(text, ':', 2);
     const auto isBorder = [](uint32_t n) {
-        return n % shared::kSamplesPerBlock == 0 && n <= RenderDefaults::kMostSamplesPerPixel;
+        return n % shared::kSamplesPerBlock == 0 && n <= kMostSamplesPerPixel;
     };
     if (!numbers || !isBorder((*numbers)[0]) || !isBorder((*numbers)[1]) ||
         (*numbers)[0] >= (*numbers)[1])

@@ -5,6 +5,9 @@
 #include <vector>
 
 #include "cli/options.h"
+#include "settings/bvh_builder.h"
+#include "settings/light_choice.h"
+#include "settings/sampler.h"
 
 namespace calotype {
 

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "cli/options.h"
-#include "render/render_settings.h"
 #include "scene/scene.h"
+#include "settings/render_settings.h"
 
 namespace calotype {
 

@@ -2,6 +2,7 @@
 
 #include "cli/arguments.h"
 #include "cli/parse_values.h"
+#include "settings/limits.h"
 
 namespace calotype {
 namespace {
@@ -9,7 +10,7 @@ namespace {
 /// What ends a render.
 void addGoalOptions(CLI::App& command, RenderOptions& options) {
     command.add_option("--spp", options.samplesPerPixel, "Samples per pixel")
-        ->check(CLI::Range(1u, RenderDefaults::kMostSamplesPerPixel))
+        ->check(CLI::Range(1u, kMostSamplesPerPixel))
         ->type_name("N");
     addParsed(command, "--target-error", options.targetError, parseTargetError,
               "Render until the relative error, at 95 % confidence, is at most this, e.g. 0.02",
@@ -28,7 +29,7 @@ void addTransportOptions(CLI::App& command, RenderOptions& options) {
     command
         .add_option("--max-bounces", options.maxBounces,
                     "Scattering events along a path, at most; 0 shows emitters only")
-        ->check(CLI::Range(0u, RenderDefaults::kMostBounces))
+        ->check(CLI::Range(0u, kMostBounces))
         ->type_name("N");
     TransportSettings& transport = options.transport;
     const auto parseMis = [](const std::string& text) { return parseSwitch("--mis", text); };

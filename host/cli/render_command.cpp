@@ -23,6 +23,7 @@
 #include "cli/timed.h"
 #include "render/adaptive_session.h"
 #include "render/render_session.h"
+#include "settings/limits.h"
 
 namespace calotype {
 namespace {
@@ -51,8 +52,8 @@ RenderSettings makeSettings(const RenderOptions& options, const Scene& scene) {
     // An error or a time that is wished for is not to be cut short by the scene's number of
     // samples.
     const bool hasGoal = options.targetError || options.seconds;
-    settings.samplesPerPixel = options.samplesPerPixel.value_or(
-        hasGoal ? RenderDefaults::kMostSamplesPerPixel : settings.samplesPerPixel);
+    settings.samplesPerPixel =
+        options.samplesPerPixel.value_or(hasGoal ? kMostSamplesPerPixel : settings.samplesPerPixel);
     if (options.samples) {
         settings.firstSample = options.samples->begin;
         settings.samplesPerPixel = options.samples->end - options.samples->begin;

@@ -6,14 +6,14 @@
 #include <optional>
 #include <string>
 
-#include "accel/build_bvh.h"
 #include "cli/options.h"
 #include "cli/statistics.h"
 #include "gpu/device_list.h"
 #include "image/first_hit.h"
 #include "render/block_tracer.h"
-#include "render/render_settings.h"
 #include "scene/scene.h"
+#include "settings/bvh_builder.h"
+#include "settings/render_settings.h"
 
 namespace calotype {
 

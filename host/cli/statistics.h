@@ -9,8 +9,8 @@
 #include "cli/options.h"
 #include "film/film_file.h"
 #include "gpu/device_list.h"
-#include "render/render_settings.h"
 #include "render/session.h"
+#include "settings/render_settings.h"
 
 namespace calotype {
 

@@ -17,12 +17,12 @@
 
 #include "base/atomic_file.h"
 #include "base/check.h"
+#include "base/content_hash.h"
 #include "base/error.h"
 #include "base/hexadecimal.h"
 #include "base/parallel_for.h"
+#include "base/read_file.h"
 #include "image/byte_order.h"
-#include "scene/content_hash.h"
-#include "scene/read_file.h"
 
 // A film's file, all numbers little-endian:
 //

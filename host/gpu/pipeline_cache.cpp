@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "base/atomic_file.h"
-#include "scene/content_hash.h"
+#include "base/content_hash.h"
 
 namespace calotype {
 namespace {

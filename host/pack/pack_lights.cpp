@@ -9,6 +9,7 @@
 #include "pack/alias_table.h"
 #include "pack/pack_material.h"
 #include "scene/scene_bounds.h"
+#include "settings/light_choice.h"
 #include "shared/bindings.h"
 
 namespace calotype {

@@ -10,6 +10,7 @@
 #include "reference/sample_shape.h"
 #include "reference/warp.h"
 #include "scene/scene_bounds.h"
+#include "settings/light_choice.h"
 
 namespace calotype::reference {
 namespace {

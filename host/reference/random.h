@@ -5,7 +5,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
-#include "scene/sampler.h"
+#include "settings/sampler.h"
 
 namespace calotype::reference {
 

@@ -12,6 +12,7 @@
 #include "reference/lights.h"
 #include "reference/random.h"
 #include "scene/scene.h"
+#include "settings/transport.h"
 
 namespace calotype::reference {
 

@@ -7,8 +7,8 @@
 #include "gpu/compute_pipeline.h"
 #include "image/first_hit.h"
 #include "pack/gpu_scene.h"
-#include "render/render_settings.h"
 #include "render/scene_buffers.h"
+#include "settings/render_settings.h"
 #include "shared/render_structs.h"
 
 namespace calotype {

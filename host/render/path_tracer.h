@@ -11,8 +11,8 @@
 #include "pack/gpu_scene.h"
 #include "render/block_tracer.h"
 #include "render/kernel_tuning.h"
-#include "render/render_settings.h"
 #include "render/scene_buffers.h"
+#include "settings/render_settings.h"
 #include "shared/render_structs.h"
 
 namespace calotype {

@@ -7,8 +7,8 @@
 #include "gpu/compute_pipeline.h"
 #include "pack/gpu_scene.h"
 #include "render/dispatch_sizer.h"
-#include "render/render_settings.h"
 #include "render/scene_buffers.h"
+#include "settings/render_settings.h"
 #include "shared/ray_structs.h"
 
 namespace calotype {

@@ -7,7 +7,7 @@
 
 #include "reference/reference_tracer.h"
 #include "render/block_tracer.h"
-#include "render/render_settings.h"
+#include "settings/render_settings.h"
 
 namespace calotype {
 

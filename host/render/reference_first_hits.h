@@ -5,7 +5,7 @@
 
 #include "image/first_hit.h"
 #include "reference/reference_tracer.h"
-#include "render/render_settings.h"
+#include "settings/render_settings.h"
 
 namespace calotype {
 

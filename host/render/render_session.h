@@ -7,8 +7,8 @@
 #include "render/block_tracer.h"
 #include "render/error_watch.h"
 #include "render/pass_renderer.h"
-#include "render/render_settings.h"
 #include "render/session.h"
+#include "settings/render_settings.h"
 
 namespace calotype {
 

@@ -7,8 +7,8 @@
 #include "gpu/device.h"
 #include "pack/scene_features.h"
 #include "render/kernel_tuning.h"
-#include "scene/sampler.h"
-#include "scene/transport.h"
+#include "settings/sampler.h"
+#include "settings/transport.h"
 
 namespace calotype {
 

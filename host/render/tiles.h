@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <numeric>
 
-#include "render/render_settings.h"
+#include "settings/render_settings.h"
 #include "shared/limits.h"
 
 namespace calotype {

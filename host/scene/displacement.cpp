@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/names.h"
 #include "scene/area_normals.h"
-#include "scene/names.h"
 #include "scene/subdivide.h"
 #include "scene/texture_lookup.h"
 

@@ -3,9 +3,9 @@
 #include <iomanip>
 #include <sstream>
 
+#include "base/names.h"
 #include "scene/borne_materials.h"
 #include "scene/material_energy.h"
-#include "scene/names.h"
 
 namespace calotype {
 namespace {

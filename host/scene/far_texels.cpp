@@ -7,8 +7,8 @@
 
 #include <glm/common.hpp>
 
+#include "base/names.h"
 #include "scene/material_textures.h"
-#include "scene/names.h"
 
 namespace calotype {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "base/lowercase.h"
-#include "scene/names.h"
-#include "scene/read_file.h"
+#include "base/names.h"
+#include "base/read_file.h"
 
 namespace calotype {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "scene/names.h"
+#include "base/names.h"
 
 namespace calotype {
 namespace {

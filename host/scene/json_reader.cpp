@@ -8,8 +8,8 @@
 
 #include "base/check.h"
 #include "base/error.h"
+#include "base/names.h"
 #include "scene/json_document.h"
-#include "scene/names.h"
 
 namespace calotype {
 namespace {

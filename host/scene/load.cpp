@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/lowercase.h"
+#include "base/read_file.h"
 #include "scene/energy_warnings.h"
 #include "scene/json_document.h"
 #include "scene/limit_warnings.h"
@@ -10,7 +11,6 @@
 #include "scene/model_scene.h"
 #include "scene/radiance_range.h"
 #include "scene/read_color.h"
-#include "scene/read_file.h"
 #include "scene/read_lights.h"
 #include "scene/read_materials.h"
 #include "scene/read_settings.h"

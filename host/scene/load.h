@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scene/scene.h"
+#include "settings/picture_size.h"
 
 namespace calotype {
 
@@ -15,12 +16,6 @@ namespace calotype {
 struct SceneOverride {
     std::string pointer; ///< RFC 6901, such as "/materials/gold/roughness"
     std::string value;
-};
-
-/// Width and height in pixels.
-struct PictureSize {
-    uint32_t width = 0;
-    uint32_t height = 0;
 };
 
 /// What to do where the image file of a texture cannot be found.

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "scene/content_hash.h"
+#include "base/content_hash.h"
 #include "scene/displacement.h"
 #include "scene/json_reader.h"
 #include "scene/load.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/names.h"
 #include "scene/mtl_library.h"
-#include "scene/names.h"
 #include "scene/read_materials.h"
 
 namespace calotype {

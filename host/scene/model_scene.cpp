@@ -7,15 +7,15 @@
 #include <glm/geometric.hpp>
 
 #include "base/error.h"
+#include "base/names.h"
+#include "base/read_file.h"
 #include "math/bounds.h"
 #include "math/rotation.h"
 #include "scene/energy_warnings.h"
 #include "scene/frame_camera.h"
 #include "scene/limit_warnings.h"
 #include "scene/load_context.h"
-#include "scene/names.h"
 #include "scene/radiance_range.h"
-#include "scene/read_file.h"
 #include "scene/read_shapes.h"
 
 namespace calotype {

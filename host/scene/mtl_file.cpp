@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "base/lowercase.h"
-#include "scene/names.h"
+#include "base/names.h"
 #include "scene/obj_lines.h"
 #include "scene/text_cursor.h"
 

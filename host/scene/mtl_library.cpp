@@ -3,10 +3,10 @@
 #include <set>
 
 #include "base/error.h"
+#include "base/names.h"
+#include "base/read_file.h"
 #include "scene/find_file.h"
 #include "scene/mtl_material.h"
-#include "scene/names.h"
-#include "scene/read_file.h"
 
 namespace calotype {
 namespace {

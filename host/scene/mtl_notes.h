@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/names.h"
 #include "scene/load_context.h"
-#include "scene/names.h"
 
 namespace calotype {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "scene/names.h"
+#include "base/names.h"
 #include "scene/text_cursor.h"
 #include "scene/uv_limit.h"
 

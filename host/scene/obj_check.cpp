@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "base/error.h"
-#include "scene/names.h"
+#include "base/names.h"
 #include "scene/obj_lines.h"
 #include "scene/text_cursor.h"
 #include "scene/tidy_obj.h"

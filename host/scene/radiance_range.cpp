@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/names.h"
 #include "scene/borne_materials.h"
-#include "scene/names.h"
 
 namespace calotype {
 namespace {

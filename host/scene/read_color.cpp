@@ -3,8 +3,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "base/names.h"
 #include "image/srgb.h"
-#include "scene/names.h"
 
 namespace calotype {
 namespace {

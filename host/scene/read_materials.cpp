@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "scene/names.h"
+#include "base/names.h"
 #include "scene/read_color.h"
 #include "scene/read_displacement.h"
 #include "scene/texture_slots.h"

@@ -6,13 +6,13 @@
 #include <set>
 #include <span>
 
+#include "base/names.h"
+#include "base/read_file.h"
 #include "scene/displacement.h"
 #include "scene/material_textures.h"
 #include "scene/mesh_builder.h"
 #include "scene/mesh_materials.h"
-#include "scene/names.h"
 #include "scene/read_displacement.h"
-#include "scene/read_file.h"
 #include "scene/read_transform.h"
 
 namespace calotype {

@@ -10,6 +10,7 @@
 #include "image/image.h"
 #include "math/affine_transform.h"
 #include "scene/read_transform.h"
+#include "settings/limits.h"
 
 namespace calotype {
 namespace {
@@ -138,9 +139,8 @@ RenderDefaults readRender(const JsonValue& value) {
     const JsonObject object(value, {"spp", "max_bounces", "seed"});
     RenderDefaults render;
     render.samplesPerPixel =
-        object.wholeNumber("spp", 1, RenderDefaults::kMostSamplesPerPixel, render.samplesPerPixel);
-    render.maxBounces =
-        object.wholeNumber("max_bounces", 0, RenderDefaults::kMostBounces, render.maxBounces);
+        object.wholeNumber("spp", 1, kMostSamplesPerPixel, render.samplesPerPixel);
+    render.maxBounces = object.wholeNumber("max_bounces", 0, kMostBounces, render.maxBounces);
     render.seed = object.wholeNumber("seed", 0, kLargestSeed, render.seed);
     return render;
 }

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "scene/names.h"
+#include "base/names.h"
 #include "scene/read_materials.h"
 #include "scene/read_mesh.h"
 #include "scene/read_polygons.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "scene/names.h"
+#include "base/names.h"
 #include "scene/read_color.h"
 #include "scene/texture_file.h"
 #include "scene/uv_limit.h"

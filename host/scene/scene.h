@@ -11,7 +11,7 @@
 
 #include "math/rigid_transform.h"
 #include "scene/texture.h"
-#include "scene/transport.h"
+#include "settings/light_choice.h"
 
 /// What the user wrote, checked and resolved: metres, radians, linear Rec. 709, double precision,
 /// every transform applied. Nothing here knows of a device.
@@ -43,9 +43,6 @@ struct FilmSettings {
 };
 
 struct RenderDefaults {
-    static constexpr uint32_t kMostSamplesPerPixel = 1u << 26;
-    static constexpr uint32_t kMostBounces = 1u << 20;
-
     uint32_t samplesPerPixel = 64;
     uint32_t maxBounces = 4; ///< scattering events along a path; 0 shows emitters only
     uint32_t seed = 0;

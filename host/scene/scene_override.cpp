@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "base/error.h"
+#include "base/names.h"
 #include "scene/json_document.h"
-#include "scene/names.h"
 
 namespace calotype {
 namespace {

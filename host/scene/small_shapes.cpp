@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "scene/names.h"
+#include "base/names.h"
 #include "scene/scene_bounds.h"
 
 namespace calotype {

@@ -10,11 +10,11 @@
 #include <glm/vec3.hpp>
 
 #include "image/texel_image.h"
+#include "settings/texture_filter.h"
 
 namespace calotype {
 
 enum class TextureWrap : uint8_t { Repeat, Clamp, Mirror };
-enum class TextureFilter : uint8_t { Bilinear, Nearest };
 
 struct ImageTexture {
     static constexpr uint32_t kLargestSide = 16384;

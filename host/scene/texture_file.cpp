@@ -1,10 +1,10 @@
 #include "scene/texture_file.h"
 
 #include "base/error.h"
+#include "base/names.h"
+#include "base/read_file.h"
 #include "image/read_texel_image.h"
 #include "scene/find_file.h"
-#include "scene/names.h"
-#include "scene/read_file.h"
 
 namespace calotype {
 namespace {

@@ -1,6 +1,6 @@
 #include "scene/texture_slots.h"
 
-#include "scene/names.h"
+#include "base/names.h"
 #include "scene/read_color.h"
 #include "scene/read_textures.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "scene/names.h"
+#include "base/names.h"
 
 namespace calotype {
 namespace {

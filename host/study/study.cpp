@@ -9,6 +9,7 @@
 #include "base/stopwatch.h"
 #include "render/adaptive_session.h"
 #include "render/render_session.h"
+#include "settings/limits.h"
 
 namespace calotype {
 namespace {
@@ -44,7 +45,7 @@ public:
     StudyRun(const StudyPlan& plan, const PrepareTracer& prepare, const StudyObserver& observer)
         : plan_(plan), prepare_(prepare), observer_(observer) {
         study_.usual = plan.usual;
-        study_.usual.render.samplesPerPixel = RenderDefaults::kMostSamplesPerPixel;
+        study_.usual.render.samplesPerPixel = kMostSamplesPerPixel;
     }
 
     Study run() {

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "accel/build_bvh.h"
-#include "render/render_settings.h"
-#include "scene/transport.h"
+#include "settings/bvh_builder.h"
+#include "settings/light_choice.h"
+#include "settings/render_settings.h"
 
 namespace calotype {
 

@@ -4,10 +4,10 @@
 #include <optional>
 
 #include "base/check.h"
+#include "base/content_hash.h"
 #include "film/error_estimate.h"
 #include "film/film_file.h"
 #include "harness.h"
-#include "scene/content_hash.h"
 #include "scratch_folder.h"
 
 namespace calotype::fuzz {

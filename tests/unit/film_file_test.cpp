@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/content_hash.h"
 #include "base/error.h"
-#include "scene/content_hash.h"
 #include "support/program.h"
 
 namespace calotype::test {

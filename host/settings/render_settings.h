@@ -2,18 +2,11 @@
 
 #include <cstdint>
 
-#include "scene/sampler.h"
-#include "scene/transport.h"
+#include "settings/crop.h"
+#include "settings/sampler.h"
+#include "settings/transport.h"
 
 namespace calotype {
-
-/// A rectangle of the film, in pixels from its top left corner.
-struct Crop {
-    uint32_t x = 0;
-    uint32_t y = 0;
-    uint32_t width = 0;
-    uint32_t height = 0;
-};
 
 struct RenderSettings {
     uint32_t width = 0; ///< of the whole film, pixels

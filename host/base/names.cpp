@@ -1,4 +1,4 @@
-#include "scene/names.h"
+#include "base/names.h"
 
 #include <algorithm>
 #include <sstream>

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <limits>
 
 namespace calotype {
@@ -18,25 +17,5 @@ struct TransportSettings {
 
     bool clampsIndirect() const { return indirectClamp < std::numeric_limits<float>::infinity(); }
 };
-
-/// Which light a path asks for at each event.
-enum class LightChoice : uint8_t {
-    Power,   ///< one, chosen by what the lights send out
-    Uniform, ///< one, each as often as any other
-    All,     ///< one after the other, as in the report; known to the reference tracer only
-};
-
-/// As users spell it.
-inline const char* nameOf(LightChoice choice) {
-    switch (choice) {
-    case LightChoice::Uniform:
-        return "uniform";
-    case LightChoice::All:
-        return "all";
-    case LightChoice::Power:
-        break;
-    }
-    return "power";
-}
 
 } // namespace calotype

@@ -1,4 +1,4 @@
-#include "scene/read_file.h"
+#include "base/read_file.h"
 
 #include <cerrno>
 #include <cstdio>
@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "base/error.h"
-#include "scene/names.h"
+#include "base/names.h"
 
 namespace calotype {
 namespace {

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+
+namespace calotype {
+
+/// How the BVH is built.
+enum class BvhBuilder : uint8_t {
+    Median, ///< the report's: halves of equal count; quick to build
+    Sah,    ///< by the surface area heuristic; quick to traverse
+};
+
+/// "median" or "sah", as --bvh takes it.
+constexpr const char* nameOf(BvhBuilder builder) {
+    return builder == BvhBuilder::Median ? "median" : "sah";
+}
+
+} // namespace calotype

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <cstdint>
+
+namespace calotype {
+
+/// How a texture is read between the centres of its texels.
+enum class TextureFilter : uint8_t { Bilinear, Nearest };
+
+} // namespace calotype
