@@ -135,5 +135,28 @@ INSTANTIATE_TEST_SUITE_P(Of, TriangleHits,
                                          Sizes{"NeedleShape", {-1.0, 0.5}, {-5.0, -2.0}}),
                          [](const auto& instance) { return instance.param.name; });
 
+class TriangleBarycentrics : public GpuTest {};
+
+// Such a projection has no area. The point of the longest edge that is nearest to the ray has
+// weights of that edge's two corners, whichever two of the three these are.
+TEST_F(TriangleBarycentrics, OfTrianglesSeenEdgeOnAreThoseOfTheLongestEdge) {
+    const glm::vec3 corners[] = {{0, -1, 5}, {0, 3, 5}, {0, 0.5f, 6}}; // in the plane of the ray
+    const double weights[] = {0.75, 0.25, 0.0}; // of y = 0 on the edge from y = -1 to y = 3
+    std::vector<glm::uvec3> orders;
+    std::vector<shared::Triangle> triangles;
+    std::vector<shared::TestRay> rays;
+    for (glm::uvec3 order : {glm::uvec3(0, 1, 2), glm::uvec3(1, 2, 0), glm::uvec3(2, 0, 1),
+                             glm::uvec3(0, 2, 1), glm::uvec3(2, 1, 0), glm::uvec3(1, 0, 2)}) {
+        orders.push_back(order);
+        triangles.push_back(packTriangle(corners[order.x], corners[order.y], corners[order.z]));
+        rays.push_back(testRay({0, 0, 0}, {0, 0, 1}, static_cast<uint32_t>(rays.size())));
+    }
+    const auto hits = PrimitiveScene::ofTriangles(triangles).hits(rays);
+    for (size_t i = 0; i < hits.size(); ++i) {
+        EXPECT_NEAR(hits[i].barycentric1, weights[orders[i].y], 1e-6) << "order " << i;
+        EXPECT_NEAR(hits[i].barycentric2, weights[orders[i].z], 1e-6) << "order " << i;
+    }
+}
+
 } // namespace
 } // namespace calotype::test

@@ -19,6 +19,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 LIST = pathlib.Path(__file__).resolve().with_name("mutations.json")
 WORK = ROOT / "build" / "mutations"
 TARGETS = ("unit", "gpu", "image", "extremes", "cli")
+SOURCE_FOLDERS = ("host", "shaders")
+SOURCE_KINDS = (".h", ".cpp", ".glsl", ".comp")
 KEYS = ("fault", "file", "from", "to", "target", "filter")
 # The slowest filter takes a minute on two cores; a fault that never ends is not caught.
 TEST_SECONDS = 600
@@ -38,21 +40,46 @@ def load_mutations():
     return mutations
 
 
-def check_mutation(mutation, test_sources):
+def pattern_of(text):
+    """Matches the text however its words are broken into lines."""
+    return re.compile(r"\s+".join(re.escape(word) for word in text.split()))
+
+
+def sources():
+    """The text of every file that a fault may be planted in, by path from the root."""
+    return {str(path.relative_to(ROOT)): path.read_text(encoding="utf-8")
+            for folder in SOURCE_FOLDERS for path in sorted((ROOT / folder).rglob("*"))
+            if path.suffix in SOURCE_KINDS}
+
+
+def find_moved_text(mutation, texts):
+    """Sets the mutation's file to the one that has its text, where only one other file has it. True
+    if it was moved."""
+    pattern = pattern_of(mutation["from"])
+    if pattern.search(texts.get(mutation["file"], "")):
+        return False
+    holders = [path for path, text in texts.items() if pattern.search(text)]
+    if len(holders) != 1:
+        return False
+    mutation["file"] = holders[0]
+    return True
+
+
+def check_mutation(mutation, test_sources, texts):
     """Throws ListError unless the fault can be planted and its tests exist."""
     if tuple(key for key in mutation if key != "number") != KEYS:
-        raise ListError(f"has not the keys {', '.join(KEYS)}, in this order")
+        raise ListError(f"does not have the keys {', '.join(KEYS)}, in this order")
     if "\n" in mutation["from"] + mutation["to"] or mutation["from"] == mutation["to"]:
-        raise ListError("has to change one line")
-    path = ROOT / mutation["file"]
-    if not path.is_file():
-        raise ListError(f"names {mutation['file']}, which is no file")
-    count = path.read_text(encoding="utf-8").count(mutation["from"])
+        raise ListError("must change one line")
+    if mutation["file"] not in texts:
+        raise ListError(f"names {mutation['file']}, which is no source file, and no other file has "
+                        f"its text once: {mutation['from']}")
+    count = len(pattern_of(mutation["from"]).findall(texts[mutation["file"]]))
     if count != 1:
         raise ListError(f"has a text that occurs {count} times in {mutation['file']}, not once: "
                         f"{mutation['from']}")
     if mutation["target"] not in TARGETS:
-        raise ListError(f"has a target that is none of {', '.join(TARGETS)}")
+        raise ListError(f"has a target that is not one of {', '.join(TARGETS)}")
     for pattern in mutation["filter"].split(":"):
         match = re.fullmatch(r"\*?(\w+)\.(\w+)(/\S+)?", pattern)
         if not match:
@@ -69,7 +96,13 @@ def check_mutation(mutation, test_sources):
 
 
 def check_list(mutations):
-    """Says on stderr what is wrong with the list; True if nothing is."""
+    """Prints what is wrong with the list on stderr, and finds text that moved to another file. True if
+    every fault can be planted."""
+    texts = sources()
+    for mutation in mutations:
+        if find_moved_text(mutation, texts):
+            print(f"mutations.json: the text of entry {mutation['number']} is now in "
+                  f"{mutation['file']}; --update writes that down", file=sys.stderr)
     test_sources = {
         target: "".join(path.read_text(encoding="utf-8")
                         for path in (ROOT / "tests" / target).glob("*.cpp"))
@@ -78,7 +111,7 @@ def check_list(mutations):
     sound = True
     for mutation in mutations:
         try:
-            check_mutation(mutation, test_sources)
+            check_mutation(mutation, test_sources, texts)
         except ListError as error:
             print(f"mutations.json: entry {mutation['number']} ({mutation.get('fault')}) {error}",
                   file=sys.stderr)
@@ -86,17 +119,23 @@ def check_list(mutations):
     return sound
 
 
-def choose(mutations, wishes):
-    """By number, target, or a part of any text of the entry; all without a wish."""
-    def wanted(mutation, wish):
-        if wish.isdigit():
-            return mutation["number"] == int(wish)
-        if wish in TARGETS:
-            return mutation["target"] == wish
-        return any(wish.lower() in mutation[key].lower() for key in KEYS)
+def write_list(mutations):
+    """Writes the list without what load_mutations added to it."""
+    entries = [{key: mutation[key] for key in KEYS} for mutation in mutations]
+    LIST.write_text(json.dumps(entries, indent=4, ensure_ascii=False) + "\n", encoding="utf-8")
+
+
+def choose(mutations, selectors):
+    """Those with the number, the target, or a part of any text of the entry; all without selector."""
+    def is_chosen(mutation, selector):
+        if selector.isdigit():
+            return mutation["number"] == int(selector)
+        if selector in TARGETS:
+            return mutation["target"] == selector
+        return any(selector.lower() in mutation[key].lower() for key in KEYS)
 
     return [mutation for mutation in mutations
-            if not wishes or any(wanted(mutation, wish) for wish in wishes)]
+            if not selectors or any(is_chosen(mutation, selector) for selector in selectors)]
 
 
 # --- The copy -------------------------------------------------------------------------------------
@@ -134,8 +173,8 @@ class Planted:
 
     def __enter__(self):
         self.original = self.path.read_text(encoding="utf-8")
-        self.path.write_text(self.original.replace(self.mutation["from"], self.mutation["to"]),
-                             encoding="utf-8")
+        planted = pattern_of(self.mutation["from"]).sub(lambda _: self.mutation["to"], self.original)
+        self.path.write_text(planted, encoding="utf-8")
 
     def __exit__(self, *_):
         self.path.write_text(self.original, encoding="utf-8")
@@ -255,16 +294,22 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--check", action="store_true",
                         help="only check that every fault can be planted and names real tests")
-    parser.add_argument("wish", nargs="*", metavar="NUMBER|TARGET|TEXT",
+    parser.add_argument("--update", action="store_true",
+                        help="only write down the new file of each text that moved")
+    parser.add_argument("selector", nargs="*", metavar="NUMBER|TARGET|TEXT",
                         help="faults to plant: by number, by target, or by a part of the entry; "
                              "default: all")
     arguments = parser.parse_args()
-    mutations = choose(load_mutations(), arguments.wish)
+    if arguments.update and arguments.selector:
+        parser.error("--update is for the whole list; leave out " + " ".join(arguments.selector))
+    mutations = choose(load_mutations(), arguments.selector)
     if not mutations:
-        parser.error("no entry of mutations.json is meant by " + " ".join(arguments.wish))
+        parser.error("no entry of mutations.json has " + " or ".join(arguments.selector))
     if not check_list(mutations):
         return 2
-    if arguments.check:
+    if arguments.update:
+        write_list(mutations)
+    if arguments.check or arguments.update:
         return 0
     return 0 if run(mutations) else 1
 
