@@ -17,11 +17,15 @@ NAME is scene, model, texture, picture or film. An input that fails is kept as b
 TEXT
 }
 
+# Sets clang_version to that of the compiler that cmake/Clang.cmake chooses.
 require_clang() {
-    if ! command -v clang++-16 >/dev/null; then
-        echo "Skipped: there is no clang++-16 (Debian: clang-16 and libclang-rt-16-dev)"
-        exit "$skipped"
-    fi
+    for clang_version in 16 17 18 19 20 21; do
+        if command -v "clang++-$clang_version" >/dev/null; then
+            return
+        fi
+    done
+    echo "Skipped: there is no clang++-16 or later (Debian 12: clang-16 and libclang-rt-16-dev)"
+    exit "$skipped"
 }
 
 build() {
@@ -36,7 +40,8 @@ fuzz() {
     shift 2
     local dictionary=$here/dictionaries/$name.dict
     [[ -e $dictionary ]] || dictionary=$folder/$name.dict
-    ASAN_SYMBOLIZER_PATH=$(command -v llvm-symbolizer-16 || true) "$folder/${name}_fuzzer" "$found" "$here/corpus/$name" -dict="$dictionary" \
+    ASAN_SYMBOLIZER_PATH=$(command -v "llvm-symbolizer-$clang_version" || true) \
+        "$folder/${name}_fuzzer" "$found" "$here/corpus/$name" -dict="$dictionary" \
         -artifact_prefix="$folder/$name-" -keep_seed=1 -max_len=4096 -timeout=10 \
         -rss_limit_mb=2048 -malloc_limit_mb=1024 -print_final_stats=1 "$@"
 }
