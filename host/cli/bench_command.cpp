@@ -11,9 +11,9 @@
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
 #include "cli/timed.h"
+#include "read/load.h"
 #include "render/ray_list.h"
 #include "render/render_session.h"
-#include "scene/load.h"
 
 namespace calotype {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "film/display_transform.h"
 #include "image/exr_layers.h"
-#include "scene/load.h"
+#include "read/load.h"
 #include "settings/bvh_builder.h"
 #include "settings/light_choice.h"
 #include "settings/render_settings.h"

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "scene/load.h"
+#include "read/load.h"
 
 namespace calotype {
 

@@ -60,6 +60,7 @@ struct Material {
     static constexpr double kHighestExponent = 1e7;
 
     std::string name;
+    std::string place; ///< file and JSON pointer, for messages; an MTL material's is its OBJ file
     MaterialType type = MaterialType::Diffuse;
     glm::dvec3 color{0.0}; ///< reflectance, a metal's F0, or a dielectric's tint of each crossing
     uint32_t colorTexture = kNoTexture; ///< index into Scene::textures, as all below
@@ -135,6 +136,7 @@ struct Shape {
 /// A light of the file is a shape with a black, emitting material: it is seen, reflected, sampled
 /// and occludes like any other.
 struct Scene {
+    std::string place = "scene"; ///< its file, for messages
     Camera camera;
     FilmSettings film;
     RenderDefaults render;

@@ -2,8 +2,8 @@
 // them: to the outside they never meet the convex shape again, to the inside always.
 #include <iostream>
 
+#include "check/thin_quadrics.h"
 #include "extremes/close_ups.h"
-#include "scene/thin_quadrics.h"
 #include "support/device_numbers.h"
 #include "support/gpu_test.h"
 #include "support/oracle_quadric.h"

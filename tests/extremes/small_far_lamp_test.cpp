@@ -1,8 +1,8 @@
 // Lamps and the floor under them, so small that single precision knows their places badly: how much
 // light is lost or gained in all.
+#include "check/small_shapes.h"
 #include "extremes/judgement.h"
 #include "extremes/scaled_scene.h"
-#include "scene/small_shapes.h"
 #include "support/gpu_test.h"
 #include "support/scene_builder.h"
 #include "support/test_scenes.h"

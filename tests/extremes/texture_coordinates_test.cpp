@@ -4,10 +4,10 @@
 #include <iostream>
 #include <set>
 
+#include "check/texture_precision.h"
 #include "kernels/coordinates.spv.h"
 #include "pack/pack_shapes.h"
 #include "render/scene_buffers.h"
-#include "scene/far_texels.h"
 #include "support/gpu_test.h"
 #include "support/oracle_texture.h"
 #include "support/packed_textures.h"

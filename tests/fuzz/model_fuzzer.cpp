@@ -2,7 +2,7 @@
 // formats have no statement in common.
 
 #include "harness.h"
-#include "scene/load.h"
+#include "read/load.h"
 #include "scene_invariants.h"
 #include "small_assets.h"
 

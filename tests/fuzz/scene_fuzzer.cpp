@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "harness.h"
-#include "scene/load.h"
+#include "read/load.h"
 #include "scene_invariants.h"
 #include "small_assets.h"
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "scene/load.h"
+#include "read/load.h"
 #include "support/gpu_test.h"
 #include "support/judged_picture.h"
 #include "support/program.h"

@@ -1,6 +1,6 @@
 #include "support/render_scene.h"
 
-#include "scene/load.h"
+#include "read/load.h"
 #include "support/device_tracer.h"
 #include "support/paths.h"
 

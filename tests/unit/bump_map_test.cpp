@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/bump_map.h"
+#include "mesh/bump_map.h"
 
 namespace calotype {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "scene/load_context.h"
-#include "scene/read_materials.h"
+#include "read/json/materials.h"
+#include "read/load_context.h"
 #include "scene_files.h"
 
 namespace calotype::test {
@@ -36,7 +36,7 @@ public:
 
     const LoadOptions options;
     SceneFiles files;
-    LoadContext context{options, files.path("")};
+    LoadContext context{options, files.path("scene.json")};
 
     static constexpr uint32_t kHoles = 0;
     static constexpr uint32_t kOpaque = 1;

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/mtl_texture.h"
+#include "read/obj/mtl_texture.h"
 #include "unit/scene_files.h"
 
 namespace calotype::test {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "scene/obj_check.h"
+#include "read/obj/outline.h"
 #include "scene_files.h"
 
 namespace calotype {

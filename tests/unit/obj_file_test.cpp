@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "scene/obj_file.h"
-#include "scene/triangulate.h"
+#include "mesh/triangulate.h"
+#include "read/obj/obj_file.h"
 #include "scene_files.h"
 
 namespace calotype {

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "load_context_fixture.h"
-#include "scene/read_shapes.h"
+#include "read/json/shapes.h"
 
 namespace calotype::test {
 namespace {
@@ -97,12 +97,12 @@ TEST_F(SceneDisplacedMesh, MistakesAreErrorsAtTheirPlaces) {
 
 TEST_F(SceneDisplacedMesh, WarnsWhereItReadsMissingCoordinates) {
     EXPECT_NEAR(heightOf(read(R"("material": "raised")", "bare.obj")), 1.28, 1e-15);
-    ASSERT_EQ(context.scene.warnings.size(), 1u);
-    EXPECT_NE(context.scene.warnings[0].find("\"raised\" lack texture coordinates"),
+    ASSERT_EQ(context.warnings.sentences().size(), 1u);
+    EXPECT_NE(context.warnings.sentences()[0].find("\"raised\" lack texture coordinates"),
               std::string::npos);
     EXPECT_NEAR(heightOf(read(std::string(R"("material": "plain")") + kOwn, "bare.obj")), -2.56,
                 1e-14);
-    EXPECT_EQ(context.scene.warnings.size(), 2u);
+    EXPECT_EQ(context.warnings.sentences().size(), 2u);
 }
 
 TEST_F(SceneDisplacedMesh, OtherShapesStayAndAreWarnedOf) {
@@ -110,8 +110,8 @@ TEST_F(SceneDisplacedMesh, OtherShapesStayAndAreWarnedOf) {
               context);
     readShape(value(R"({"type": "sphere", "radius": 1, "material": "plain"})", "/shapes/4"),
               context);
-    ASSERT_EQ(context.scene.warnings.size(), 1u);
-    EXPECT_EQ(context.scene.warnings[0],
+    ASSERT_EQ(context.warnings.sentences().size(), 1u);
+    EXPECT_EQ(context.warnings.sentences()[0],
               "/scene.json: /shapes/3: the displacement of the material \"raised\" moves meshes "
               "only; this shape stays as it is");
 }

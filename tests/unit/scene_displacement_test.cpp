@@ -5,8 +5,8 @@
 #include <random>
 
 #include "base/error.h"
-#include "scene/displacement.h"
-#include "scene/subdivide.h"
+#include "mesh/displacement.h"
+#include "mesh/subdivide.h"
 #include "scene_files.h"
 #include "test_meshes.h"
 

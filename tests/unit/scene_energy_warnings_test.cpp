@@ -98,8 +98,8 @@ TEST_F(EnergyWarnings, OfMtlFilesAreOne) {
     const std::string mtl = "newmtl a\nKd 1\nPr 0\nnewmtl b\nKd 0.5\nPr 0\n"
                             "newmtl c\nmap_Kd white.png\nPr 0\n";
     expectOne(warningsOfMtl(mtl), "/m.obj: materials that can reflect more light than they "
-                                  "receive, up to 112.0 % at grazing angles (lower Kd or raise "
-                                  "Pr): \"a\", \"c\"");
+                                  "receive, up to 112.0 % at grazing angles (choose darker "
+                                  "colours or a greater roughness): \"m.obj:a\", \"m.obj:c\"");
     EXPECT_TRUE(warningsOfMtl("newmtl a\nKd 0.5\nPr 0\nnewmtl b\nKd 1\nKs 1\nNs 9\n"
                               "newmtl c\nmap_Kd dark.png\nPr 0\n")
                     .empty());
@@ -107,7 +107,7 @@ TEST_F(EnergyWarnings, OfMtlFilesAreOne) {
 
 TEST_F(EnergyWarnings, OfBareModelsToo) {
     writeObj("newmtl a\nKd 0.5\nnewmtl b\nKd 0.5\nnewmtl c\nKd 1\nPr 0\n");
-    expectOne(energyWarnings(loadScene(files_.path("m.obj"))), "raise Pr): \"c\"");
+    expectOne(energyWarnings(loadScene(files_.path("m.obj"))), "roughness): \"m.obj:c\"");
 }
 
 } // namespace

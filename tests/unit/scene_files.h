@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
-#include "scene/load.h"
+#include "read/load.h"
 #include "support/scratch_folder.h"
 
 namespace calotype::test {

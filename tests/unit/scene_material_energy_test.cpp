@@ -6,7 +6,7 @@
 #include <glm/vec3.hpp>
 #include <gtest/gtest.h>
 
-#include "scene/material_energy.h"
+#include "materials/material_energy.h"
 
 namespace calotype {
 namespace {

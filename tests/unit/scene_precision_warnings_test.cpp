@@ -1,5 +1,5 @@
 // When a scene is said to ask for more than single precision resolves, where and in which words.
-#include "scene/model_scene.h"
+#include "read/obj/model_scene.h"
 #include "support/image_files.h"
 #include "unit/scene_files.h"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <set>
 
-#include "scene/subdivide.h"
+#include "mesh/subdivide.h"
 #include "test_meshes.h"
 
 namespace calotype::test {

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "scene/find_file.h"
+#include "base/find_file.h"
 #include "support/image_files.h"
 #include "unit/scene_files.h"
 

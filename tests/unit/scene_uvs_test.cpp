@@ -1,8 +1,8 @@
 // Texture coordinates from the scene file and from OBJ files, to the corners of triangles.
 
 #include "load_context_fixture.h"
-#include "scene/obj_file.h"
-#include "scene/read_shapes.h"
+#include "read/json/shapes.h"
+#include "read/obj/obj_file.h"
 
 namespace calotype::test {
 namespace {
@@ -105,16 +105,16 @@ TEST_F(SceneUvs, OfMeshesAreThoseInUse) {
 TEST_F(SceneUvs, MissingOnesAreWarnedOfWhereTexturesAreRead) {
     files.write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     read(R"({"type": "mesh", "file": "m.obj", "material": "plain"})");
-    EXPECT_TRUE(context.scene.warnings.empty());
+    EXPECT_TRUE(context.warnings.sentences().empty());
     read(R"({"type": "mesh", "file": "m.obj", "material": "tiled"})");
-    ASSERT_EQ(context.scene.warnings.size(), 1u);
-    EXPECT_TRUE(context.scene.warnings[0].ends_with(
+    ASSERT_EQ(context.warnings.sentences().size(), 1u);
+    EXPECT_TRUE(context.warnings.sentences()[0].ends_with(
         "/m.obj: faces that bear the textured material \"tiled\" lack texture coordinates, which "
         "count as (0, 0)"))
-        << context.scene.warnings[0];
+        << context.warnings.sentences()[0];
     files.write("n.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n");
     read(R"({"type": "mesh", "file": "n.obj", "material": "tiled"})");
-    EXPECT_EQ(context.scene.warnings.size(), 1u);
+    EXPECT_EQ(context.warnings.sentences().size(), 1u);
 }
 
 TEST(ObjUvs, EveryFormOfCorner) {

@@ -8,8 +8,8 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "scene/obj_file.h"
-#include "scene/object_mesh.h"
+#include "mesh/object_mesh.h"
+#include "read/obj/obj_file.h"
 
 namespace calotype::test {
 

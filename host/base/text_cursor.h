@@ -1,0 +1,78 @@
+#pragma once
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+namespace calotype {
+
+inline bool isBlank(char c) { return c == ' ' || c == '\t'; }
+
+/// Without blanks at both ends.
+inline std::string_view trimmed(std::string_view text) {
+    while (!text.empty() && isBlank(text.front())) {
+        text.remove_prefix(1);
+    }
+    while (!text.empty() && isBlank(text.back())) {
+        text.remove_suffix(1);
+    }
+    return text;
+}
+
+/// Reads the words of one line of text, separated by blanks. A word that starts with '#' opens a
+/// comment, which ends the line.
+class TextCursor {
+public:
+    explicit TextCursor(std::string_view line) : next_(line.data()), end_(next_ + line.size()) {
+        skipBlanks();
+    }
+
+    /// Whether nothing but a comment is left.
+    bool atEnd() const { return next_ == end_ || *next_ == '#'; }
+
+    /// The next word; empty at the end.
+    std::string_view word() {
+        const char* start = next_;
+        while (next_ != end_ && !isBlank(*next_)) {
+            ++next_;
+        }
+        const std::string_view result(start, static_cast<size_t>(next_ - start));
+        skipBlanks();
+        return result;
+    }
+
+    /// All that is left, with the comment if there is one.
+    std::string_view rest() const { return {next_, static_cast<size_t>(end_ - next_)}; }
+
+private:
+    void skipBlanks() {
+        while (next_ != end_ && isBlank(*next_)) {
+            ++next_;
+        }
+    }
+
+    const char* next_;
+    const char* end_;
+};
+
+/// A decimal number that makes up the whole word, "inf" and "nan" included; infinite where it is
+/// too large for a double. nullopt for anything else.
+inline std::optional<double> parseNumber(std::string_view word) {
+    if (word.size() > 1 && word.front() == '+' && word[1] != '-') {
+        word.remove_prefix(1);
+    }
+    double value = 0.0;
+    const char* const end = word.data() + word.size();
+    const auto [stop, error] = std::from_chars(word.data(), end, value);
+    if (stop != end || error == std::errc::invalid_argument) {
+        return std::nullopt;
+    }
+    if (error == std::errc::result_out_of_range) {
+        // from_chars does not say which way: a negative exponent means that it is all but zero.
+        return word.find("e-") != word.npos || word.find("E-") != word.npos ? 0.0 : HUGE_VAL;
+    }
+    return value;
+}
+
+} // namespace calotype

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "base/warnings.h"
+#include "scene/scene.h"
+
+namespace calotype {
+
+/// Warns where nothing emits light.
+void warnOfBlackPicture(const Scene& scene, Warnings& warnings);
+
+} // namespace calotype

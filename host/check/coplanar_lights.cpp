@@ -1,0 +1,201 @@
+#include "check/coplanar_lights.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <set>
+#include <span>
+#include <sstream>
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+namespace calotype {
+namespace {
+
+/// Of a light's distance from the camera: the device tells surfaces apart that lie so far from each
+/// other (CoplanarLightTest in tests/extremes), and mixes some that lie a tenth as far.
+constexpr double kGap = 1e-6;
+constexpr double kMostPairs = 1e7;
+constexpr size_t kMostNamed = 5; ///< lights, lest a grid of lamps fill the screen
+
+/// A triangle; or a disk, the cap of a cylinder or the base of a cone as a polygon within it, which
+/// leaves out 2 % of its radius at most.
+struct Facet {
+    static constexpr size_t kMostCorners = 16;
+
+    size_t shape = 0;
+    size_t number = 0; ///< within the shape
+    bool shines = false;
+    bool isOfSolid = false; ///< seen from the side of its normal only
+    glm::dvec3 normal{0.0}; ///< unit
+    size_t cornerCount = 0;
+    std::array<glm::dvec3, kMostCorners> polygon{};
+
+    std::span<const glm::dvec3> corners() const { return {polygon.data(), cornerCount}; }
+};
+
+/// A disk about the axis y of a frame, `height` above its origin.
+Facet facetOfDisk(const RigidTransform& worldFromObject, double height, double radius) {
+    const glm::dmat3& frame = worldFromObject.rotation;
+    Facet facet;
+    facet.normal = frame[1];
+    facet.cornerCount = Facet::kMostCorners;
+    for (size_t i = 0; i < facet.cornerCount; ++i) {
+        const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) /
+                             static_cast<double>(facet.cornerCount);
+        facet.polygon[i] = worldFromObject.translation + height * frame[1] +
+                           radius * (std::sin(angle) * frame[0] + std::cos(angle) * frame[2]);
+    }
+    return facet;
+}
+
+/// The cap or base of a solid that lies between it and the frame's origin.
+Facet endOfSolid(const RigidTransform& worldFromObject, double height, double radius) {
+    Facet facet = facetOfDisk(worldFromObject, height, radius);
+    facet.isOfSolid = true;
+    facet.normal *= height < 0.0 ? -1.0 : 1.0;
+    return facet;
+}
+
+Facet facetOf(const Mesh& mesh, const Mesh::Triangle& triangle) {
+    Facet facet;
+    facet.cornerCount = 3;
+    for (size_t i = 0; i < 3; ++i) {
+        facet.polygon[i] = mesh.positions[triangle.position[i]];
+    }
+    facet.normal = glm::normalize(
+        glm::cross(facet.polygon[1] - facet.polygon[0], facet.polygon[2] - facet.polygon[0]));
+    return facet;
+}
+
+/// Calls visit(facet) for everything flat in the scene.
+template <typename Visit>
+void forEachFacet(const Scene& scene, const Visit& visit) {
+    const auto shines = [&](uint32_t material) {
+        return scene.materials[material].emission != glm::dvec3(0.0);
+    };
+    for (size_t i = 0; i < scene.shapes.size(); ++i) {
+        const Shape& shape = scene.shapes[i];
+        size_t number = 0;
+        const auto visitOne = [&](Facet facet, uint32_t material) {
+            facet.shape = i;
+            facet.number = number++;
+            facet.shines = shines(material);
+            visit(facet);
+        };
+        if (const auto* disk = std::get_if<Disk>(&shape.geometry)) {
+            visitOne(facetOfDisk(disk->worldFromObject, 0.0, disk->radius), shape.material);
+        } else if (const auto* cylinder = std::get_if<Cylinder>(&shape.geometry)) {
+            for (const double height : {-0.5 * cylinder->height, 0.5 * cylinder->height}) {
+                visitOne(endOfSolid(cylinder->worldFromObject, height, cylinder->radius),
+                         shape.material);
+            }
+        } else if (const auto* cone = std::get_if<Cone>(&shape.geometry)) {
+            const double radius = cone->slope * std::abs(cone->height);
+            visitOne(endOfSolid(cone->worldFromObject, cone->height, radius), shape.material);
+        } else if (const auto* mesh = std::get_if<Mesh>(&shape.geometry)) {
+            for (const Mesh::Triangle& triangle : mesh->triangles) {
+                visitOne(facetOf(*mesh, triangle), triangle.material);
+            }
+        }
+    }
+}
+
+/// How far the facet reaches along an axis, from and to.
+glm::dvec2 reach(const Facet& facet, const glm::dvec3& axis) {
+    glm::dvec2 reach(std::numeric_limits<double>::infinity(),
+                     -std::numeric_limits<double>::infinity());
+    for (const glm::dvec3& corner : facet.corners()) {
+        const double along = glm::dot(axis, corner);
+        reach = {std::min(reach.x, along), std::max(reach.y, along)};
+    }
+    return reach;
+}
+
+/// True where a line along an edge of `a` parts the two, or leaves them less than `tolerance` to
+/// share.
+bool isPartedByAnEdge(const Facet& a, const Facet& b, double tolerance) {
+    const std::span<const glm::dvec3> corners = a.corners();
+    for (size_t i = 0; i < corners.size(); ++i) {
+        const glm::dvec3 edge = corners[(i + 1) % corners.size()] - corners[i];
+        const glm::dvec3 axis = glm::normalize(glm::cross(edge, a.normal));
+        const glm::dvec2 reachOfA = reach(a, axis);
+        const glm::dvec2 reachOfB = reach(b, axis);
+        if (std::min(reachOfA.y, reachOfB.y) - std::max(reachOfA.x, reachOfB.x) < tolerance) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Of convex polygons in one plane (separating axes).
+bool overlap(const Facet& a, const Facet& b, double tolerance) {
+    return !isPartedByAnEdge(a, b, tolerance) && !isPartedByAnEdge(b, a, tolerance);
+}
+
+bool isInPlaneOf(const Facet& light, const Facet& other, double tolerance) {
+    return std::ranges::all_of(light.corners(), [&](const glm::dvec3& corner) {
+        return std::abs(glm::dot(other.normal, corner - other.polygon[0])) < tolerance;
+    });
+}
+
+/// What stands on a floor hides its own end, and the floor below it.
+bool canBeSeen(const Facet& facet, const glm::dvec3& camera) {
+    return !facet.isOfSolid || glm::dot(facet.normal, camera - facet.polygon[0]) > 0.0;
+}
+
+bool isItself(const Facet& a, const Facet& b) { return a.shape == b.shape && a.number == b.number; }
+
+void warn(const Scene& scene, Warnings& warnings, const Facet& light, const Facet& other,
+          double gap) {
+    std::ostringstream message;
+    message.precision(1);
+    message << "lies in the plane of "
+            << (light.shape == other.shape ? "other triangles of its own"
+                                           : scene.shapes[other.shape].place)
+            << ", so that rounding decides which of the two is seen; move it off by " << gap
+            << " m or more";
+    warnings.add(scene.shapes[light.shape].place, message.str());
+}
+
+} // namespace
+
+void warnOfCoplanarLights(const Scene& scene, Warnings& warnings) {
+    std::vector<Facet> lights;
+    double facets = 0.0;
+    forEachFacet(scene, [&](const Facet& facet) {
+        facets += 1.0;
+        if (facet.shines && canBeSeen(facet, scene.camera.position)) {
+            lights.push_back(facet);
+        }
+    });
+    if (static_cast<double>(lights.size()) * facets > kMostPairs) {
+        return;
+    }
+    std::set<size_t> coplanar;
+    forEachFacet(scene, [&](const Facet& other) {
+        if (!canBeSeen(other, scene.camera.position)) {
+            return;
+        }
+        for (const Facet& light : lights) {
+            const double gap = kGap * glm::distance(light.polygon[0], scene.camera.position);
+            if (!isItself(light, other) && isInPlaneOf(light, other, gap) &&
+                !coplanar.contains(light.shape) && overlap(light, other, gap)) {
+                coplanar.insert(light.shape);
+                if (coplanar.size() <= kMostNamed) {
+                    warn(scene, warnings, light, other, gap);
+                }
+            }
+        }
+    });
+    if (coplanar.size() > kMostNamed) {
+        warnings.add(scene.place,
+                     std::to_string(coplanar.size() - kMostNamed) +
+                         " more lights lie in the plane of another shape in the same way");
+    }
+}
+
+} // namespace calotype

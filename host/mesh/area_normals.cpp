@@ -1,0 +1,52 @@
+#include "mesh/area_normals.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+namespace calotype {
+namespace {
+
+/// Of the summed areas: what is left of normals that cancel, were it not for rounding.
+constexpr double kCancelled = 1e-12;
+
+/// A power of two that brings the positions to a size near one, lest areas under- or overflow.
+double unitScale(std::span<const glm::dvec3> positions) {
+    double size = 0.0;
+    for (const glm::dvec3& p : positions) {
+        size = std::max(size, largestComponent(p - positions.front()));
+    }
+    return size > 0.0 ? std::ldexp(1.0, std::clamp(-std::ilogb(size), -1000, 1000)) : 1.0;
+}
+
+} // namespace
+
+double largestComponent(const glm::dvec3& v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+std::vector<glm::dvec3> areaWeightedNormals(std::span<const glm::dvec3> positions,
+                                            std::span<const Mesh::Triangle> triangles) {
+    const double scale = unitScale(positions);
+    std::vector<glm::dvec3> normals(positions.size(), glm::dvec3(0.0));
+    std::vector<double> areas(positions.size(), 0.0);
+    for (const Mesh::Triangle& triangle : triangles) {
+        const glm::dvec3& a = positions[triangle.position[0]];
+        const glm::dvec3 ab = (positions[triangle.position[1]] - a) * scale;
+        const glm::dvec3 ac = (positions[triangle.position[2]] - a) * scale;
+        const glm::dvec3 normal = glm::cross(ab, ac);
+        for (const uint32_t corner : triangle.position) {
+            normals[corner] += normal;
+            areas[corner] += largestComponent(normal);
+        }
+    }
+    for (size_t i = 0; i < normals.size(); ++i) {
+        const double size = largestComponent(normals[i]);
+        const bool cancelled = !(size > kCancelled * areas[i]) || !std::isfinite(size);
+        normals[i] = cancelled ? glm::dvec3(0.0) : glm::normalize(normals[i] / size);
+    }
+    return normals;
+}
+
+} // namespace calotype

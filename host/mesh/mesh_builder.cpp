@@ -1,0 +1,166 @@
+#include "mesh/mesh_builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "base/error.h"
+#include "mesh/area_normals.h"
+#include "mesh/distinct_values.h"
+
+namespace calotype {
+namespace {
+
+bool isFinite(const glm::dvec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// The direction of the front's normal, scaled at will; zero exactly where the triangle has no
+/// area. Edges are scaled first, lest tiny triangles underflow and huge ones overflow.
+glm::dvec3 scaledNormal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    const glm::dvec3 ab = b - a;
+    const glm::dvec3 ac = c - a;
+    const double size = std::max(largestComponent(ab), largestComponent(ac));
+    return size == 0.0 ? glm::dvec3(0.0) : glm::cross(ab / size, ac / size);
+}
+
+/// Collects what triangles use of `source`, numbered in the order of first use.
+template <typename Value>
+class Compaction {
+public:
+    explicit Compaction(std::span<const Value> source)
+        : source_(source), newIndex_(source.size(), kUnused) {}
+
+    /// The new index of `old`; `convert` makes the new value when it is met for the first time.
+    template <typename Convert>
+    uint32_t add(uint32_t old, Convert&& convert) {
+        if (newIndex_[old] == kUnused) {
+            newIndex_[old] = static_cast<uint32_t>(values_.size());
+            values_.push_back(convert(source_[old]));
+        }
+        return newIndex_[old];
+    }
+
+    std::vector<Value> take() && { return std::move(values_); }
+
+private:
+    static constexpr uint32_t kUnused = ~0u;
+    std::span<const Value> source_;
+    std::vector<uint32_t> newIndex_;
+    std::vector<Value> values_;
+};
+
+/// Takes triangles from object space to world space.
+class MeshBuilder {
+public:
+    MeshBuilder(const ObjectMesh& source, const AffineTransform& worldFromObject, bool keepNormals)
+        : source_(source), worldFromObject_(worldFromObject),
+          worldNormal_(normalMatrix(worldFromObject.linear)),
+          mirrored_(isMirroring(worldFromObject.linear)), keepNormals_(keepNormals),
+          positions_(source.positions), normals_(source.normals), uvs_(source.uvs) {
+        triangles_.reserve(source.triangles.size());
+    }
+
+    /// Throws SceneError at `where` if a vertex leaves the range of finite numbers.
+    void add(Mesh::Triangle triangle, const std::string& where) {
+        if (mirrored_) {
+            std::swap(triangle.position[1], triangle.position[2]);
+            std::swap(triangle.normal[1], triangle.normal[2]);
+            std::swap(triangle.uv[1], triangle.uv[2]);
+        }
+        glm::dvec3 corner[3];
+        for (int k = 0; k < 3; ++k) {
+            corner[k] = worldFromObject_.point(source_.positions[triangle.position[k]]);
+            if (!isFinite(corner[k])) {
+                throw SceneError(where, "a vertex lies beyond the range of finite numbers");
+            }
+        }
+        if (scaledNormal(corner[0], corner[1], corner[2]) == glm::dvec3(0.0)) {
+            ++dropped_;
+            return;
+        }
+        const bool hasNormals = keepNormals_ && triangle.normal[0] != Mesh::kNoNormal;
+        const bool hasUvs = triangle.uv[0] != Mesh::kNoUv;
+        for (int k = 0; k < 3; ++k) {
+            uint32_t& position = triangle.position[k];
+            uint32_t& normal = triangle.normal[k];
+            uint32_t& uv = triangle.uv[k];
+            position = positions_.add(position, [&](const auto&) { return corner[k]; });
+            normal = hasNormals ? normals_.add(normal, [&](const auto& n) { return inWorld(n); })
+                                : Mesh::kNoNormal;
+            uv = hasUvs ? uvs_.add(uv, [](const auto& given) { return given; }) : Mesh::kNoUv;
+        }
+        triangles_.push_back(triangle);
+    }
+
+    MeshAndDropped take() && {
+        return {{std::move(positions_).take(), std::move(normals_).take(), std::move(uvs_).take(),
+                 std::move(triangles_)},
+                dropped_};
+    }
+
+private:
+    glm::dvec3 inWorld(const glm::dvec3& normal) const {
+        return glm::normalize(worldNormal_ * (normal / largestComponent(normal)));
+    }
+
+    const ObjectMesh& source_;
+    const AffineTransform& worldFromObject_;
+    glm::dmat3 worldNormal_;
+    bool mirrored_;
+    bool keepNormals_;
+    Compaction<glm::dvec3> positions_;
+    Compaction<glm::dvec3> normals_;
+    Compaction<glm::dvec2> uvs_;
+    std::vector<Mesh::Triangle> triangles_;
+    uint64_t dropped_ = 0;
+};
+
+/// Replaces the normals by one per distinct position. Triangles at a position whose normals
+/// cancel become flat.
+void smoothNormals(Mesh& mesh) {
+    DistinctValues<glm::dvec3> distinct;
+    const std::vector<uint32_t> place = distinct.addAll(mesh.positions);
+    std::vector<Mesh::Triangle> merged = mesh.triangles;
+    for (Mesh::Triangle& triangle : merged) {
+        for (uint32_t& corner : triangle.position) {
+            corner = place[corner];
+        }
+    }
+    mesh.normals = areaWeightedNormals(distinct.values(), merged);
+    for (size_t i = 0; i < merged.size(); ++i) {
+        const auto& corners = merged[i].position;
+        const bool cancelled = std::ranges::any_of(
+            corners, [&](uint32_t corner) { return mesh.normals[corner] == glm::dvec3(0.0); });
+        for (int k = 0; k < 3; ++k) {
+            mesh.triangles[i].normal[k] = cancelled ? Mesh::kNoNormal : corners[k];
+        }
+    }
+}
+
+} // namespace
+
+MeshAndDropped buildMesh(const ObjectMesh& source, const AffineTransform& worldFromObject,
+                         NormalMode mode, const std::string& where) {
+    MeshBuilder builder(source, worldFromObject, mode == NormalMode::Auto);
+    for (const Mesh::Triangle& triangle : source.triangles) {
+        builder.add(triangle, where);
+    }
+    MeshAndDropped result = std::move(builder).take();
+    if (result.mesh.triangles.empty()) {
+        throw SceneError(where, "no triangle of this shape has an area");
+    }
+    if (mode == NormalMode::Smooth) {
+        smoothNormals(result.mesh);
+    }
+    return result;
+}
+
+double triangleArea(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    return 0.5 * glm::length(glm::cross(b - a, c - a));
+}
+
+} // namespace calotype

@@ -1,0 +1,191 @@
+#include "read/json/document.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "base/error.h"
+#include "base/names.h"
+
+namespace calotype {
+namespace {
+
+using nlohmann::json;
+
+constexpr size_t kDeepestNesting = 100;
+constexpr size_t kLongestLastRead = 40;
+/// nlohmann's number for "number overflow".
+constexpr int kNumberOverflow = 406;
+
+/// "LINE:COLUMN" of a byte offset, both counted from 1, columns in characters.
+std::string lineAndColumn(std::string_view text, size_t offset) {
+    const std::string_view before = text.substr(0, offset);
+    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+    const size_t lineStart = before.rfind('\n') + 1; // npos + 1 is 0
+    const auto column =
+        1 + std::count_if(before.begin() + static_cast<ptrdiff_t>(lineStart), before.end(),
+                          [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
+    return std::to_string(line) + ":" + std::to_string(column);
+}
+
+/// nlohmann's sentence without its own prefix and with what it read last shortened.
+std::string syntaxMessage(std::string message) {
+    const size_t prefixEnd = message.find("syntax error");
+    if (prefixEnd != std::string::npos) {
+        message.erase(0, prefixEnd);
+    }
+    const std::string opening = "; last read: '";
+    const size_t start = message.find(opening);
+    if (start != std::string::npos) {
+        const size_t textStart = start + opening.size();
+        const size_t textEnd = message.rfind('\'', std::min(message.size(), message.rfind("'; ")));
+        if (textEnd != std::string::npos && textEnd > textStart + kLongestLastRead) {
+            message.replace(textStart, textEnd - textStart - kLongestLastRead, "...");
+        }
+    }
+    return message;
+}
+
+/// Builds the document from the parser's events and refuses what nlohmann's own builder lets pass.
+class DocumentBuilder final : public nlohmann::json_sax<json> {
+public:
+    DocumentBuilder(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+
+    json takeRoot() { return std::move(root_); }
+
+    bool null() override { return add(nullptr); }
+    bool boolean(bool value) override { return add(value); }
+    bool number_integer(number_integer_t value) override { return add(value); }
+    bool number_unsigned(number_unsigned_t value) override { return add(value); }
+    bool number_float(number_float_t value, const string_t&) override { return add(value); }
+    bool string(string_t& value) override { return add(std::move(value)); }
+    bool binary(binary_t&) override { return false; }
+
+    bool start_object(size_t) override { return open(json::object()); }
+    bool start_array(size_t) override { return open(json::array()); }
+    bool end_object() override { return close(); }
+    bool end_array() override { return close(); }
+
+    bool key(string_t& key) override {
+        Level& level = levels_.back();
+        if (level.container->contains(key)) {
+            throw SceneError(jsonPlace(name_, extendPointer(pointer(levels_.size() - 1), key)),
+                             "the key " + inQuotes(key) + " is repeated; keep one of them");
+        }
+        level.key = std::move(key);
+        return true;
+    }
+
+    bool parse_error(size_t position, const std::string& lastToken,
+                     const json::exception& error) override {
+        if (error.id == kNumberOverflow) {
+            throw SceneError(jsonPlace(name_, pointerOfNext()),
+                             "the number " + inQuotes(lastToken) +
+                                 " is larger than any that can be held");
+        }
+        const size_t offset = std::min(position > 0 ? position - 1 : 0, text_.size());
+        throw SceneError(name_ + ":" + lineAndColumn(text_, offset), syntaxMessage(error.what()));
+    }
+
+private:
+    /// A container that is still open; `key` is the one whose value comes next (objects only).
+    struct Level {
+        json* container;
+        std::string key;
+    };
+
+    json* append(json value) {
+        if (levels_.empty()) {
+            root_ = std::move(value);
+            return &root_;
+        }
+        Level& level = levels_.back();
+        if (level.container->is_array()) {
+            level.container->push_back(std::move(value));
+            return &level.container->back();
+        }
+        json& slot = (*level.container)[level.key];
+        slot = std::move(value);
+        return &slot;
+    }
+
+    bool add(json value) {
+        append(std::move(value));
+        return true;
+    }
+
+    bool open(json container) {
+        if (levels_.size() == kDeepestNesting) {
+            throw SceneError(jsonPlace(name_, pointer(1)), "values are nested more than " +
+                                                               std::to_string(kDeepestNesting) +
+                                                               " deep");
+        }
+        levels_.push_back({append(std::move(container)), {}});
+        return true;
+    }
+
+    bool close() {
+        levels_.pop_back();
+        return true;
+    }
+
+    /// Pointer to the container at `depth`, counted from the root's 0.
+    std::string pointer(size_t depth) const {
+        std::string result;
+        for (size_t i = 0; i < depth && i < levels_.size(); ++i) {
+            const Level& level = levels_[i];
+            result = level.container->is_array()
+                         ? extendPointer(result, level.container->size() - 1)
+                         : extendPointer(result, level.key);
+        }
+        return result;
+    }
+
+    std::string pointerOfNext() const {
+        if (levels_.empty()) {
+            return {};
+        }
+        const Level& level = levels_.back();
+        const std::string parent = pointer(levels_.size() - 1);
+        return level.container->is_array() ? extendPointer(parent, level.container->size())
+                                           : extendPointer(parent, level.key);
+    }
+
+    std::string_view text_;
+    const std::string& name_;
+    json root_;
+    std::vector<Level> levels_;
+};
+
+} // namespace
+
+json parseJson(std::string_view text, const std::string& name) {
+    DocumentBuilder builder(text, name);
+    const bool strict = true;
+    const bool ignoreComments = true;
+    json::sax_parse(text, &builder, json::input_format_t::json, strict, ignoreComments);
+    return builder.takeRoot();
+}
+
+std::string jsonPlace(const std::string& name, const std::string& pointer) {
+    return pointer.empty() ? name : name + ": " + pointer;
+}
+
+std::string extendPointer(const std::string& pointer, std::string_view key) {
+    std::string result = pointer + "/";
+    for (const char c : printable(key)) {
+        if (c == '~') {
+            result += "~0";
+        } else if (c == '/') {
+            result += "~1";
+        } else {
+            result += c;
+        }
+    }
+    return result;
+}
+
+std::string extendPointer(const std::string& pointer, size_t index) {
+    return pointer + "/" + std::to_string(index);
+}
+
+} // namespace calotype

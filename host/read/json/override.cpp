@@ -1,0 +1,90 @@
+#include "read/json/override.h"
+
+#include <charconv>
+#include <optional>
+
+#include "base/error.h"
+#include "base/names.h"
+#include "read/json/document.h"
+
+namespace calotype {
+namespace {
+
+using nlohmann::json;
+
+/// What comes from a command line may be any bytes.
+bool isUtf8(const std::string& text) {
+    try {
+        json(text).dump();
+        return true;
+    } catch (const json::type_error&) {
+        return false;
+    }
+}
+
+/// False also for indices that nlohmann refuses to parse.
+bool containsPart(const json& document, const json::json_pointer& pointer) {
+    try {
+        return document.contains(pointer);
+    } catch (const json::exception&) {
+        return false;
+    }
+}
+
+json parseValue(const std::string& text, const std::string& where) {
+    const bool ignoreComments = true;
+    return json::accept(text, ignoreComments) ? parseJson(text, where) : json(text);
+}
+
+/// A decimal index without leading zeros, or nothing.
+std::optional<size_t> parseIndex(const std::string& token) {
+    size_t index = 0;
+    const char* const end = token.data() + token.size();
+    const auto [stop, error] = std::from_chars(token.data(), end, index);
+    const bool leadingZero = token.size() > 1 && token.front() == '0';
+    return error == std::errc() && stop == end && !leadingZero ? std::optional(index)
+                                                               : std::nullopt;
+}
+
+} // namespace
+
+void applyOverride(json& document, const SceneOverride& override) {
+    const std::string where = "--set " + override.pointer;
+    if (!isUtf8(override.pointer) || !isUtf8(override.value)) {
+        throw SceneError(where, "pointer and value must be UTF-8");
+    }
+    json::json_pointer pointer;
+    try {
+        pointer = json::json_pointer(override.pointer);
+    } catch (const json::parse_error&) {
+        throw SceneError(where, "is not a JSON pointer; write it like /materials/gold/roughness, "
+                                "with ~0 for ~ and ~1 for / within a name");
+    }
+    if (pointer.empty()) {
+        throw SceneError(where, "cannot replace the whole scene; name a part, such as /render/spp");
+    }
+    const json::json_pointer parentPointer = pointer.parent_pointer();
+    if (!containsPart(document, parentPointer)) {
+        throw SceneError(where, "the scene has no " + parentPointer.to_string() +
+                                    "; set that first, to an object");
+    }
+    json& parent = document.at(parentPointer);
+    json value = parseValue(override.value, where);
+    const std::string& last = pointer.back();
+    if (parent.is_object()) {
+        parent[last] = std::move(value);
+    } else if (!parent.is_array()) {
+        throw SceneError(where, parentPointer.to_string() +
+                                    " is neither an object nor an array, so it has no parts");
+    } else if (const auto index = parseIndex(last); index && *index < parent.size()) {
+        parent[*index] = std::move(value);
+    } else if (last == "-") {
+        parent.push_back(std::move(value));
+    } else {
+        throw SceneError(where, "the array has " + std::to_string(parent.size()) +
+                                    " elements, so " + inQuotes(last) +
+                                    " is not one of them (\"-\" appends)");
+    }
+}
+
+} // namespace calotype

@@ -1,0 +1,163 @@
+#include "read/obj/model_scene.h"
+
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+#include "base/error.h"
+#include "base/names.h"
+#include "base/read_file.h"
+#include "check/excess_energy.h"
+#include "check/radiance_range.h"
+#include "math/bounds.h"
+#include "math/rotation.h"
+#include "read/frame_camera.h"
+#include "read/json/shapes.h"
+#include "read/load_context.h"
+
+namespace calotype {
+namespace {
+
+constexpr double kDegrees = std::numbers::pi / 180.0;
+
+constexpr double kFieldOfView = 30.0 * kDegrees;
+constexpr double kCameraAzimuth = 35.0 * kDegrees;
+constexpr double kCameraElevation = 20.0 * kDegrees;
+constexpr double kShareOfPicture = 0.9;
+
+constexpr double kFloorReflectance = 0.5;
+constexpr double kBackground = 0.3;
+constexpr uint32_t kMaxBounces = 8; ///< through glass and out again
+
+/// In units of the model's radius:
+constexpr double kLightDistance = 5.0;
+/// Lest the floor coincide with a model's underside.
+constexpr double kFloorGap = 1e-3;
+/// The picture's upper edge looks 5 degrees down, so that even a very wide one sees no floor beyond
+/// so many times the camera's distance.
+constexpr double kFloorSize = 15.0;
+
+/// Beyond these radii, in metres, squared lengths leave the range of the device's floats.
+constexpr double kSmallestRadius = 1e-12;
+constexpr double kLargestRadius = 1e12;
+
+/// A square light that faces the model, at angles about it (azimuth counter-clockwise from +Z).
+struct LightPlan {
+    const char* name;
+    double azimuth;
+    double elevation;
+    double side;     ///< in units of the model's radius
+    double radiance; ///< W/(m^2 sr)
+};
+constexpr LightPlan kLights[] = {
+    {"key light", kCameraAzimuth - 55.0 * kDegrees, 55.0 * kDegrees, 3.0, 6.0},
+    {"fill light", kCameraAzimuth + 65.0 * kDegrees, 30.0 * kDegrees, 2.5, 2.0},
+};
+
+glm::dvec3 directionAt(double azimuth, double elevation) {
+    return {std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
+            std::cos(azimuth) * std::cos(elevation)};
+}
+
+/// The box's centre and half its diagonal.
+struct ModelExtent {
+    glm::dvec3 center;
+    double radius;
+    double floor; ///< y of its lower side
+};
+
+ModelExtent extentOf(const Mesh& mesh, const std::string& path) {
+    Bounds3d bounds;
+    for (const glm::dvec3& position : mesh.positions) {
+        bounds.extend(position);
+    }
+    const ModelExtent extent = {0.5 * bounds.lower + 0.5 * bounds.upper,
+                                0.5 * glm::length(bounds.extent()), bounds.lower.y};
+    if (!(extent.radius >= kSmallestRadius && extent.radius <= kLargestRadius)) {
+        throw SceneError(path, "the model is too small or too large to be framed; place it in a "
+                               "scene file with a \"transform\"");
+    }
+    return extent;
+}
+
+Shape readModel(const std::string& path, LoadContext& context) {
+    const nlohmann::json mesh = {{"type", "mesh"},
+                                 {"file", std::filesystem::path(path).filename().string()}};
+    return readShape(JsonValue(mesh, path), context);
+}
+
+Camera placeCamera(const Mesh& mesh, const ModelExtent& extent) {
+    Camera camera;
+    camera.verticalFov = kFieldOfView;
+    camera.forward = -directionAt(kCameraAzimuth, kCameraElevation);
+    camera.right = glm::normalize(glm::cross(camera.forward, glm::dvec3(0.0, 1.0, 0.0)));
+    camera.up = glm::cross(camera.right, camera.forward);
+    frameCamera(camera, mesh.positions, kShareOfPicture, extent.radius, extent.center);
+    return camera;
+}
+
+void addFloor(const ModelExtent& extent, const Camera& camera, LoadContext& context) {
+    Material grey;
+    grey.name = "floor";
+    grey.color = glm::dvec3(kFloorReflectance);
+    const glm::dvec3 center(extent.center.x, extent.floor - kFloorGap * extent.radius,
+                            extent.center.z);
+    Disk disk;
+    disk.worldFromObject.translation = center;
+    disk.radius = kFloorSize * glm::length(camera.position - center);
+    context.scene.shapes.push_back({disk, context.addMaterial(grey), "floor"});
+}
+
+void addLight(const LightPlan& plan, const ModelExtent& extent, LoadContext& context) {
+    Material material;
+    material.name = plan.name;
+    material.emission = glm::dvec3(plan.radiance);
+    material.emitsFromFrontOnly = true;
+    const uint32_t index = context.addMaterial(material);
+
+    const glm::dvec3 outward = directionAt(plan.azimuth, plan.elevation);
+    const glm::dvec3 center = extent.center + kLightDistance * extent.radius * outward;
+    const double half = 0.5 * plan.side * extent.radius;
+    const glm::dmat3 frame = rotationTakingYTo(-outward);
+    const glm::dvec3 x = half * frame[0];
+    const glm::dvec3 z = half * frame[2];
+    constexpr uint32_t kNone = Mesh::kNoNormal;
+    Mesh quad;
+    quad.positions = {center - x + z, center + x + z, center + x - z, center - x - z};
+    quad.triangles = {{{0, 1, 2}, {kNone, kNone, kNone}, index},
+                      {{0, 2, 3}, {kNone, kNone, kNone}, index}};
+    context.scene.shapes.push_back({quad, index, plan.name});
+}
+
+} // namespace
+
+Scene loadModelScene(const std::string& path, const LoadOptions& options) {
+    if (!options.overrides.empty()) {
+        throw SceneError("--set " + options.overrides.front().pointer,
+                         inQuotes(path) +
+                             " is a model, not a scene file, so there are no values to "
+                             "set; name the model in a scene as a \"mesh\"");
+    }
+    if (!isReadableFile(path)) {
+        readFile(path, path); // says why not
+    }
+    LoadContext context(options, path);
+    context.toleratesUndefinedMaterials = true;
+    Scene& scene = context.scene;
+    scene.render.maxBounces = kMaxBounces;
+    scene.background = glm::dvec3(kBackground);
+    scene.shapes.push_back(readModel(path, context));
+
+    const Mesh& mesh = std::get<Mesh>(scene.shapes.front().geometry);
+    const ModelExtent extent = extentOf(mesh, path);
+    scene.camera = placeCamera(mesh, extent);
+    addFloor(extent, scene.camera, context);
+    for (const LightPlan& plan : kLights) {
+        addLight(plan, extent, context);
+    }
+    return std::move(context).finish();
+}
+
+} // namespace calotype

@@ -1,0 +1,64 @@
+#include "read/obj/tinyobj_text.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "base/text_cursor.h"
+#include "read/obj/lines.h"
+
+namespace calotype {
+namespace {
+
+std::string tidyFace(TextCursor cursor) {
+    std::string result = "f ";
+    while (!cursor.atEnd()) {
+        const std::string_view word = cursor.word();
+        result.append(word.substr(0, word.find_last_not_of('/') + 1)).push_back(' ');
+    }
+    return result;
+}
+
+std::string tidyVertex(std::string_view keyword, TextCursor cursor) {
+    std::string result(keyword);
+    while (!cursor.atEnd()) {
+        const double value = parseNumber(cursor.word()).value_or(0.0);
+        std::array<char, 32> digits{}; // the shortest form of a double has up to 24
+        const auto end = std::to_chars(digits.data(), digits.data() + digits.size(),
+                                       std::isfinite(value) ? value : 0.0)
+                             .ptr;
+        result.append(" ").append(digits.data(), end);
+    }
+    return result;
+}
+
+} // namespace
+
+/// Below 200 characters and with two digits of exponent, no factor leaves the range of doubles.
+bool tinyobjReadsNumber(std::string_view word) {
+    constexpr size_t kLongest = 200;
+    constexpr size_t kLongestExponent = 3; // its sign and two digits
+    const size_t exponent = word.find_first_of("eE");
+    return word.size() < kLongest &&
+           (exponent == word.npos || word.size() - exponent - 1 <= kLongestExponent);
+}
+
+std::string textForTinyobj(std::string_view text) {
+    std::string result;
+    result.reserve(text.size() + 1);
+    forEachObjLine(text, [&](size_t, std::string_view line) {
+        TextCursor cursor(line);
+        const std::string_view keyword = cursor.word();
+        if (keyword == "f") {
+            result.append(tidyFace(cursor));
+        } else if (keyword == "v" || keyword == "vt" || keyword == "vn") {
+            result.append(tidyVertex(keyword, cursor));
+        } else {
+            result.append(line);
+        }
+        result.push_back('\n');
+    });
+    return result;
+}
+
+} // namespace calotype
