@@ -98,7 +98,8 @@ CLI::App& addInfoCommand(CLI::App& app, InfoOptions& options) {
 
 CLI::App& addStudyCommand(CLI::App& app, StudyOptions& options) {
     CLI::App& command = *app.add_subcommand(
-        "study", "Measure what each setting costs and gives for a scene, and say what to choose");
+        "study",
+        "Measure time and error of each render setting for a scene, and recommend settings");
     addSceneOptions(command, options.scene);
     const auto parseBudget = [](const std::string& text) {
         return parseDuration("--budget", text);
@@ -116,9 +117,11 @@ CLI::App& addStudyCommand(CLI::App& app, StudyOptions& options) {
     addDeviceOptions(command, options.device,
                      "; \"reference\": the reference tracer, in double precision on the CPU");
     command.footer(
-        "Two fifths of the time go to a reference, the rest in equal parts to the default settings "
-        "and to\none change of them at a time, to the report's settings, and last to all that was "
-        "for the better,\ntogether. Ctrl-C keeps what was measured so far.");
+        "Two fifths of the time go to a reference. The rest is shared equally by the default "
+        "settings, by\nsettings with one change each, by a basic path tracer (no MIS, no roulette, "
+        "independent samples,\n4 bounces), and last by all improvements together. Ctrl-C keeps "
+        "what "
+        "was measured so far.");
     return command;
 }
 

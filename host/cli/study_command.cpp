@@ -79,15 +79,15 @@ void printChoices(const Study& study) {
         std::string text = targetText(choice.target) + " error: ";
         if (choice.measurement) {
             const std::string& options = choice.measurement->variant.options;
-            text += (options.empty() ? "the default" : options) + ", " +
-                    durationText(choice.seconds) + " here";
+            text +=
+                (options.empty() ? "the default" : options) + ", " + durationText(choice.seconds);
             if (study.scale > 1.0)
-                text += ", about " + durationText(choice.seconds * study.scale) +
-                        " in the scene's size";
+                text +=
+                    ", at the scene's own size about " + durationText(choice.seconds * study.scale);
             if (!options.empty() && choice.usual)
-                text += " (by default " + durationText(*choice.usual) + " here)";
+                text += " (default settings: " + durationText(*choice.usual) + ")";
         } else {
-            text += "not known, the budget was too short";
+            text += "unknown: the time budget was too short";
         }
         std::printf("%s\n", text.c_str());
     }

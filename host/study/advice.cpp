@@ -9,10 +9,10 @@
 namespace calotype {
 namespace {
 
-/// Numbers of samples that differ by no more are as many.
+/// Numbers of samples whose logarithms differ by less count as equal.
 constexpr double kAsMany = 0.1;
 
-/// A floor of less than this share of an error is lost in its noise.
+/// A remaining error below this share of the whole error cannot be seen in its noise.
 constexpr double kSeenShare = 0.3;
 
 std::string times(double ratio) {
@@ -25,7 +25,7 @@ bool isNear(double ratio, double share) { return std::abs(std::log(ratio)) < sha
 
 double secondsPerSample(const CurvePoint& point) { return point.seconds / point.samples; }
 
-/// The last point of both curves with as many samples, but for a tenth, and known errors.
+/// From the last points of both curves that have equal numbers of samples and known errors.
 std::optional<double> errorRatio(const Measurement& variant, const Measurement& usual) {
     for (auto mine = variant.curve.rbegin(); mine != variant.curve.rend(); ++mine)
         for (const CurvePoint& other : usual.curve) {
@@ -36,20 +36,20 @@ std::optional<double> errorRatio(const Measurement& variant, const Measurement& 
     return std::nullopt;
 }
 
-/// What of the light a variant loses that is made to.
+/// How much light a variant loses that loses light by design.
 std::string lossOf(const Measurement& variant) {
     if (!variant.isTrusted)
-        return "It may lose light; how much, so few samples, or such rare bright ones, do not "
-               "tell.";
+        return "It may lose light. How much is unknown: there are too few samples, or most of the "
+               "light comes from a few bright ones.";
     if (std::abs(variant.brighter) <= 3.0 * variant.brighterError)
-        return "It may lose light; here none was seen to be missing.";
+        return "It may lose light. In this picture no loss was measured.";
     const std::string seen = "It loses light: the picture is " +
                              percentText(std::abs(variant.brighter)) +
                              (variant.brighter < 0.0 ? " darker" : " brighter");
     const double floor = variant.floor().value_or(0.0);
     const bool isInTheError = floor > kSeenShare * variant.last().error.value_or(0.0);
     return seen + (isInTheError ? ", and the error never falls below " + percentText(floor) + "."
-                                : ", which the error does not show yet.");
+                                : ", but its error is still mostly noise.");
 }
 
 } // namespace
@@ -60,7 +60,7 @@ Comparison compare(const Measurement& variant, const Measurement& usual) {
         comparison.timePerSample =
             secondsPerSample(variant.last()) / secondsPerSample(usual.last());
     comparison.error = errorRatio(variant, usual);
-    // An error that falls as the root of time; near a floor there is no such thing.
+    // Valid where the error falls with the square root of the time, so not where light is lost.
     if (comparison.timePerSample && comparison.error && !variant.variant.losesLight)
         comparison.time = *comparison.timePerSample * *comparison.error * *comparison.error;
     return comparison;
@@ -70,22 +70,24 @@ std::string sentenceOf(const Measurement& variant, const Measurement& usual, dou
     const Comparison comparison = compare(variant, usual);
     std::string text;
     if (comparison.timePerSample)
-        text += "A sample takes " + times(*comparison.timePerSample) + " times as long";
+        text += "A sample takes " + times(*comparison.timePerSample) +
+                " times as long as with the default settings";
     if (comparison.error)
-        text += (text.empty() ? "The error is " : "; at as many samples the error is ") +
-                times(*comparison.error) + " of the default's";
+        text += std::string(text.empty() ? "With" : "; with") +
+                " the same number of samples the error is " + times(*comparison.error) +
+                " times as large";
     if (!text.empty())
         text += ". ";
     if (comparison.time)
         text += isNear(*comparison.time, noise)
-                    ? "To the same error it takes as long, as far as can be told. "
-                    : "To the same error it takes " + times(*comparison.time) + " times as long. ";
+                    ? "The same error takes as long, within the measurement noise. "
+                    : "The same error takes " + times(*comparison.time) + " times as long. ";
     if (variant.variant.losesLight)
         text += lossOf(variant);
-    // Not of compiling: that takes long only where the kernel is not yet in the cache.
+    // The time of compiling is left out: it is long only if the kernel is not in the cache.
     const double longer = variant.buildSeconds - usual.buildSeconds;
     if (std::abs(longer) > std::max(0.2, 0.05 * usual.last().seconds))
-        text += (text.ends_with(' ') ? "" : " ") + std::string("Its tree is ready ") +
+        text += (text.ends_with(' ') ? "" : " ") + std::string("Its BVH is ready ") +
                 durationText(std::abs(longer)) + (longer < 0.0 ? " sooner." : " later.");
     while (text.ends_with(' '))
         text.pop_back();
@@ -104,7 +106,7 @@ std::vector<Choice> choicesOf(const Study& study) {
             const bool isUsual = &measurement == &study.measurements.front();
             if (isUsual)
                 choice.usual = seconds;
-            // A kernel of everything is no choice: it is there to be compared.
+            // The kernel with all features has no option: it is measured for comparison only.
             if (!seconds || (!isUsual && measurement.variant.options.empty()))
                 continue;
             const double most =

@@ -9,30 +9,31 @@
 
 namespace calotype {
 
-/// What a variant costs and gives beside the usual settings.
+/// A variant relative to the usual settings.
 struct Comparison {
-    std::optional<double> timePerSample; ///< of the variant, over that of the usual settings
-    std::optional<double> error;         ///< at as many samples, likewise
-    /// To the same error, likewise; not of what loses light.
+    std::optional<double> timePerSample; ///< ratio to the usual settings
+    std::optional<double> error;         ///< ratio, with the same number of samples
+    /// Ratio of the times to the same error; none for variants that lose light.
     std::optional<double> time;
 };
 Comparison compare(const Measurement& variant, const Measurement& usual);
 
-/// A sentence or two: what the variant costs and gives. Shares of time below `noise` tell nothing.
+/// A few sentences on the time and the error of the variant. Ratios of time whose logarithm is
+/// smaller than `noise` count as equal.
 std::string sentenceOf(const Measurement& variant, const Measurement& usual, double noise);
 
-/// What a study would choose to reach an error.
+/// The recommended settings for an error.
 struct Choice {
     double target = 0.0;
-    const Measurement* measurement = nullptr; ///< null: nothing gets there
+    const Measurement* measurement = nullptr; ///< null: no variant reaches the error
     double seconds = 0.0;                     ///< of sampling, in the study's size
-    std::optional<double> usual;              ///< that the usual settings would take
+    std::optional<double> usual;              ///< seconds that the usual settings need
 };
 
 inline constexpr std::array kTargets = {0.05, 0.02, 0.01};
 
 /// For each of kTargets: the usual settings unless another variant needs less time by more than
-/// Study::timingNoise, and what light it loses is less than half of the error.
+/// Study::timingNoise, and the light that it loses is less than half of the error.
 std::vector<Choice> choicesOf(const Study& study);
 
 } // namespace calotype

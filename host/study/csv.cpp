@@ -8,7 +8,7 @@
 namespace calotype {
 namespace {
 
-/// Nothing where it is not known.
+/// Empty if the value is unknown.
 std::string number(double value) { return std::isfinite(value) ? shortNumber(value) : ""; }
 
 std::string number(const std::optional<double>& value) { return value ? number(*value) : ""; }

@@ -7,7 +7,7 @@
 
 namespace calotype {
 
-/// Text as XML and HTML may hold it.
+/// Text with the characters escaped that XML and HTML reserve.
 std::string escaped(std::string_view text);
 
 /// "data:image/png;base64,...": a picture within a page (RFC 2397, RFC 4648).

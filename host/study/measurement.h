@@ -14,18 +14,18 @@ struct CurvePoint {
     double samples = 0.0; ///< mean of all pixels
     double seconds = 0.0; ///< of sampling, at the machine's usual pace
     /// The picture's distance from the reference as ErrorEstimate::relative measures it, less the
-    /// reference's own error. None where the reference is not good enough to tell.
+    /// reference's own error. None where the reference is not accurate enough.
     std::optional<double> error;
-    std::optional<double> stated; ///< what the variant says of itself
+    std::optional<double> stated; ///< the estimate that the variant itself computes
     Image part;                   ///< the middle of the picture
 };
 
-/// What became of a variant.
+/// The measured curve of a variant.
 struct Measurement {
     Variant variant;
     std::vector<CurvePoint> curve; ///< at 1, 2, 4, ... samples, and at the end
-    double pace = 1.0;             ///< the machine's meanwhile, over its usual one
-    double buildSeconds = 0.0;     ///< of the BVH, and packing
+    double pace = 1.0; ///< of the machine during the measurement, relative to its usual pace
+    double buildSeconds = 0.0; ///< of the BVH, and packing
     double compileSeconds = 0.0;
     /// Mean luminance over that of the reference, less 1, and its standard error.
     double brighter = 0.0;
@@ -34,17 +34,17 @@ struct Measurement {
 
     const CurvePoint& last() const { return curve.back(); }
 
-    /// The error that stays however long it runs: 0 unless it loses light by design; none where it
-    /// does, and how much is not known: of too few samples, or ones that are not to be trusted.
+    /// The error that remains however long it runs: 0 unless the variant loses light by design.
+    /// None if it does, but how much is unknown: too few samples, or an error that is not trusted.
     std::optional<double> floor() const;
 
-    /// Sampling until the error is `target`: between the points of the curve, and beyond them as
-    /// the root of time has it, about the floor. None where it never gets there, or nothing is
-    /// known.
+    /// Seconds of sampling until the error is `target`: interpolated between the points of the
+    /// curve; beyond them, the part of the error above the floor falls with the square root of the
+    /// time. None if the error is never reached, or nothing is known.
     std::optional<double> secondsTo(double target) const;
 };
 
-/// Of all measurements' points, those that none beats in both time and error; by time.
+/// The points of all measurements that no other point beats in both time and error, by time.
 std::vector<CurvePoint> paretoFront(const std::vector<Measurement>& measurements);
 
 } // namespace calotype

@@ -42,7 +42,7 @@ figcaption { font-size: 0.82rem; line-height: 1.35; margin-top: 0.3rem; }
   gap: 0.2rem 0.9rem; font-size: 0.85rem; }
 )";
 
-/// Of timingNoise, from which on a reader is told.
+/// timingNoise above this value is reported at the top of the page.
 constexpr double kRough = 0.3;
 
 std::string tag(const std::string& name, const std::string& contents) {
@@ -69,7 +69,7 @@ std::string display(const Image& image) {
 
 std::string code(const std::string& text) { return "<code>" + escaped(text) + "</code>"; }
 
-/// Options of the command line, each of which stays on one line.
+/// Options of the command line; a line break may come only between two options.
 std::string optionCode(const std::string& options) {
     std::string html;
     for (size_t begin = 0; begin < options.size();) {
@@ -82,7 +82,7 @@ std::string optionCode(const std::string& options) {
     return html;
 }
 
-/// Numbers stay with their units.
+/// Replaces the space between a number and its unit by a no-break space.
 std::string withFixedUnits(std::string html) {
     for (const std::string unit : {" %", " s"})
         for (size_t at = html.find(unit); at != std::string::npos; at = html.find(unit, at + 1)) {
@@ -96,7 +96,8 @@ std::string withFixedUnits(std::string html) {
 }
 
 std::string errorText(const std::optional<double>& error) {
-    return error ? "error " + percentText(*error) : "error below what the reference can tell";
+    return error ? "error " + percentText(*error)
+                 : "error too small to measure against the reference";
 }
 
 std::string figure(const std::string& pictures, const std::string& caption) {
@@ -107,14 +108,14 @@ std::string image(const std::string& uri, const std::string& words) {
     return "<img src=\"" + uri + "\" alt=\"" + escaped(words) + "\">";
 }
 
-/// A page that is being put together.
+/// Builds the page.
 class Page {
 public:
     Page(const Study& study, const StudyOrigin& origin)
         : study_(study), origin_(origin), referencePart_(middleOf(study.reference->picture)) {}
 
     std::string text() const {
-        const std::string title = "What the settings buy: " + escaped(origin_.scene);
+        const std::string title = "Render settings compared: " + escaped(origin_.scene);
         return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
                "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n" +
                tag("title", title) + tag("style", kStyle) + "</head>\n<body>\n" + tag("h1", title) +
@@ -134,23 +135,24 @@ private:
                             " bounces. Errors are relative, at 95 % confidence, measured against a "
                             "reference of " +
                             std::to_string(reference.samples) +
-                            " samples per pixel, whose own is " + percentText(reference.error) +
-                            ".";
+                            " samples per pixel, whose own error is " +
+                            percentText(reference.error) + ".";
         if (study_.ending == StudyEnding::Stopped)
             words += " The study was stopped before its end.";
         if (study_.ending == StudyEnding::OutOfTime)
-            words += " The time was too short for all settings.";
+            words += " The time budget was too short for all settings.";
         std::string html = tag("p", words);
         if (!reference.isTrusted)
-            html += tag("p", "<strong>The reference is not to be trusted</strong>: its light comes "
-                             "by rare bright samples, or it has too few of any. More light may be "
-                             "missing from it, and the figures below with it. A longer budget "
-                             "helps.");
+            html += tag("p", "<strong>The reference is not reliable</strong>: most of its light "
+                             "comes from a few bright samples, or it has too few samples. Some "
+                             "light may be missing from it, and the numbers below do not show "
+                             "that. Use a longer budget.");
         if (study_.timingNoise() > kRough)
             html +=
-                tag("p", "<strong>The times are rough</strong>: the machine's pace differed by " +
-                             percentText(study_.paceSpread) +
-                             " from one moment to the next. A longer budget helps.");
+                tag("p",
+                    "<strong>The times are imprecise</strong>: the speed of the machine varied "
+                    "by " +
+                        percentText(study_.paceSpread) + " during the study. Use a longer budget.");
         for (const FailedVariant& failure : study_.failures)
             html +=
                 tag("p", "Not measured: " + escaped(failure.name) + ": " + escaped(failure.reason));
@@ -159,9 +161,9 @@ private:
 
     std::string choices() const {
         const bool isSmaller = study_.scale > 1.0;
-        std::string rows = "<tr><th>error</th><th>settings</th><th>time here</th>"
-                           "<th>by default</th>";
-        rows += isSmaller ? "<th>in the scene's size</th></tr>\n" : "</tr>\n";
+        std::string rows = "<tr><th>target error</th><th>settings</th><th>time</th>"
+                           "<th>time with the default settings</th>";
+        rows += isSmaller ? "<th>time at the scene's own size</th></tr>\n" : "</tr>\n";
         for (const Choice& choice : choicesOf(study_)) {
             std::string row = tag("td", targetText(choice.target));
             if (choice.measurement) {
@@ -173,23 +175,26 @@ private:
                     row += tag("td", durationText(choice.seconds * study_.scale));
             } else {
                 row += std::string("<td colspan=\"") + (isSmaller ? "4" : "3") +
-                       "\">not known: the time was too short</td>";
+                       "\">unknown: the time budget was too short</td>";
             }
             rows += tag("tr", row);
         }
-        return tag("h2", "What I would choose") + "<div class=\"wide\"><table>" + rows +
+        return tag("h2", "Recommended settings") + "<div class=\"wide\"><table>" + rows +
                "</table></div>\n" +
                faint(
-                   "Seconds of sampling until the error is that; past the longest render measured, "
-                   "as the root of time has it. " +
+                   "Time of sampling until the picture has this error. Beyond the longest render "
+                   "that was measured it is extrapolated: the error falls with the square root of "
+                   "the time. " +
                    code(origin_.command + " --target-error 0.02") +
-                   " stops by itself, at the next doubling of the samples.");
+                   " stops by itself, at the first doubling of the samples at which the error is "
+                   "reached.");
     }
 
     std::string plot() const {
         return tag("h2", "Error against time") + toSvg(study_, origin_.scene) +
-               faint("Dashed: loses light by design, so its error stays above a floor. Lines end "
-                     "where the reference cannot tell.");
+               faint("Dashed lines: settings that lose light, so that their error stays above a "
+                     "limit. A line ends where the error is too small to measure against the "
+                     "reference.");
     }
 
     std::string sentences() const {
@@ -204,19 +209,20 @@ private:
             list += tag("dd", i == 0 ? defaultSentence()
                                      : sentenceOf(measurement, usual(), study_.timingNoise()));
         }
-        return tag("h2", "What each setting costs and gives") + "<dl>" + list + "</dl>\n" +
-               faint("One render each, in turn: times that differ by less than " +
+        return tag("h2", "Effect of each setting") + "<dl>" + list + "</dl>\n" +
+               faint("Each setting was rendered once. Differences in time below " +
                      percentText(study_.timingNoise()) +
-                     " tell nothing. Ratios are to the default, whose pace between them corrects "
-                     "all seconds for what else the machine did.");
+                     " are within the measurement noise. Ratios are relative to the default "
+                     "settings, which were rendered again between the others in order to correct "
+                     "all times for changes in the machine's speed.");
     }
 
     std::string defaultSentence() const {
         const CurvePoint& last = usual().last();
         return std::to_string(std::lround(last.samples)) + " samples per pixel in " +
                durationText(last.seconds) + ": " + errorText(last.error) +
-               (last.stated ? "; it said " + percentText(*last.stated) +
-                                  (usual().isTrusted ? "" : ", not to be trusted")
+               (last.stated ? "; the render's own estimate was " + percentText(*last.stated) +
+                                  (usual().isTrusted ? "" : ", which is not reliable")
                             : "") +
                ".";
     }
@@ -254,19 +260,20 @@ private:
                 figure(picturesOf(point, measurement.variant.name), caption(measurement, point));
         }
         return tag("h2", "Pictures at equal time") +
-               tag("p", "Each after about " + durationText(shortest) +
-                            " of sampling; below it, how far each pixel is from the reference:") +
+               tag("p", "Each picture after about " + durationText(shortest) +
+                            " of sampling. Below it: the relative difference of each pixel from "
+                            "the reference.") +
                scale() + "<div class=\"pictures\">" + figures + "</div>\n";
     }
 
-    /// Of a curve, the point of the least distance.
+    /// The point of the curve with the smallest distance.
     template <typename Distance>
     static const CurvePoint* nearest(const std::vector<CurvePoint>& curve,
                                      const Distance& distance) {
         return &*std::ranges::min_element(curve, {}, distance);
     }
 
-    /// An error that every variant without a floor came below.
+    /// An error that every variant that loses no light has reached.
     std::optional<double> commonError() const {
         std::optional<double> error;
         for (const Measurement& measurement : study_.measurements)
@@ -290,8 +297,8 @@ private:
                                   caption(measurement, *point));
         }
         return tag("h2", "Pictures at equal error") +
-               tag("p", "Of each curve the point nearest to an error of " + percentText(*wanted) +
-                            ", and what it took:") +
+               tag("p", "For each setting, the picture whose error is nearest to " +
+                            percentText(*wanted) + ", with its time and its samples.") +
                scale() + "<div class=\"pictures\">" + figures + "</div>\n";
     }
 

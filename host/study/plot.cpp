@@ -25,7 +25,7 @@ class LogAxis {
 public:
     LogAxis(double from, double to) : from_(from), to_(to) {}
 
-    /// Widens what is shown so that `value` is.
+    /// Widens the range so that it contains `value`.
     void take(double value) {
         least_ = std::min(least_, value);
         most_ = std::max(most_, value);
@@ -39,7 +39,7 @@ public:
         return from_ + (to_ - from_) * (std::log(value) - low) / (high - low);
     }
 
-    /// 1, 2 and 5 times powers of ten; only the powers where these are many.
+    /// 1, 2 and 5 times powers of ten; only the powers of ten where that gives more than eight.
     std::vector<double> ticks() const {
         std::vector<double> all;
         std::vector<double> powers;
@@ -86,7 +86,8 @@ std::string grid(const LogAxis& x, const LogAxis& y) {
         svg += line(kLeft, y.at(error), kWidth - kRight, y.at(error));
         svg += text(kLeft - 6.0, y.at(error) + 5.0, "end", targetText(error));
     }
-    svg += text(0.5 * (kLeft + kWidth - kRight), bottom + 38.0, "middle", "seconds of sampling");
+    svg +=
+        text(0.5 * (kLeft + kWidth - kRight), bottom + 38.0, "middle", "sampling time in seconds");
     return svg;
 }
 
@@ -98,7 +99,7 @@ std::string path(const std::vector<CurvePoint>& points, const LogAxis& x, const 
             data += data.empty() ? 'M' : 'L';
             data += coordinate(x.at(point.seconds)) + ' ' + coordinate(y.at(*point.error));
         }
-    // A line to where it ends, by which round caps make a dot of a single point.
+    // "h0" ends the path with an empty line, so that round caps draw a single point as a dot.
     return data.empty() ? "" : "<path " + attributes + " d=\"" + data + "h0\"/>\n";
 }
 
@@ -114,7 +115,7 @@ std::string strokeOf(const Measurement& measurement, size_t index) {
 } // namespace
 
 std::string variantColor(size_t index) {
-    // Apart in hue, and of a lightness that shows on white and on black.
+    // Different hues, with a lightness that is visible on white and on black.
     constexpr std::array<const char*, 14> kColors = {
         "#1b7fd6", "#e0762c", "#35a35a", "#c94fb0", "#8a6fe8", "#b8912a", "#2fa7a7",
         "#d6455d", "#7d8a99", "#6aa52d", "#a46a4a", "#4f79c9", "#d18ac0", "#5f9f86"};
@@ -147,7 +148,8 @@ std::string toSvg(const Study& study, const std::string& title) {
         "<rect class=\"paper\" width=\"100%\" height=\"100%\"/>\n";
     svg += text(kLeft, 20.0, "start", title, " font-weight=\"600\"");
     if (x.isEmpty())
-        return svg + text(kLeft, 60.0, "start", "no error is known: the time was too short") +
+        return svg +
+               text(kLeft, 60.0, "start", "no error was measured: the time budget was too short") +
                "</svg>\n";
     svg += grid(x, y);
     svg += path(paretoFront(study.measurements), x, y, "class=\"front\"");

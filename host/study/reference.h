@@ -10,7 +10,7 @@
 
 namespace calotype {
 
-/// The picture that a study measures errors by.
+/// The picture against which a study measures errors.
 struct Reference {
     Image picture;
     std::vector<double> luminances;
@@ -21,14 +21,14 @@ struct Reference {
     uint64_t samples = 0; ///< per pixel
     double seconds = 0.0;
 
-    /// Of a session that has at least one block of two replicas.
+    /// The session must have at least one block of two replicas.
     explicit Reference(Session& session);
 
     /// CurvePoint::error of a picture of the same size.
     std::optional<double> errorOf(const Image& image) const;
 };
 
-/// Mean luminance of a picture, and the standard error that its pixels' errors give it.
+/// Mean luminance of a picture, and its standard error, from those of the pixels.
 struct MeanLuminance {
     double mean = 0.0;
     double standardError = 0.0;

@@ -17,15 +17,15 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kReferenceShare = 0.4;
-/// Samples that a reference should get, where the size of the picture is free.
+/// Samples per pixel that the reference should get, if the size of the picture is free.
 constexpr double kReferenceSamples = 4096.0;
 constexpr double kLeastPixels = 48.0 * 48.0;
 constexpr uint32_t kLargestPart = 256; ///< pixels on a side
-/// Of the time to the same error, by which a change is for the better; where it is not noise.
+/// A variant is an improvement if it saves this share of the time to the same error.
 constexpr double kBetter = 0.15;
-/// Of a variant's time, for the machine's pace.
+/// Share of a variant's time that is used to measure the machine's pace.
 constexpr double kYardstickShare = 0.15;
-/// A variant has at least so much of its share of the time, however long it takes to prepare.
+/// A variant samples for at least this part of its share of the time, however long its preparation.
 constexpr double kLeastShare = 0.2;
 
 double pixelsOf(const StudySettings& settings) {
@@ -69,7 +69,7 @@ public:
 private:
     double secondsLeft() const { return plan_.seconds - secondsSince(start_); }
 
-    /// Samples for so long. False where the user stopped it.
+    /// Samples for `seconds`. False if the user stopped it.
     bool sample(Session& session, double seconds, const std::string& what,
                 const std::function<void()>& onPass) {
         RenderObserver observer;
@@ -83,7 +83,7 @@ private:
         return !isStopped_;
     }
 
-    /// Makes the picture so small that the reference becomes a good one.
+    /// Chooses a picture so small that the reference gets kReferenceSamples.
     void chooseSize() {
         StudySettings small = study_.usual;
         const double whole = pixelsOf(small);
@@ -99,7 +99,7 @@ private:
         study_.scale = whole / pixelsOf(study_.usual);
     }
 
-    /// Keeps the shape.
+    /// Keeps the aspect ratio.
     static void resize(StudySettings& settings, double pixels) {
         RenderSettings& render = settings.render;
         const double shrink = std::sqrt(pixels / pixelsOf(settings));
@@ -113,7 +113,7 @@ private:
 
     void renderReference() {
         StudySettings settings = study_.usual;
-        settings.render.seed += 1; // so that it shares nothing with what it judges
+        settings.render.seed += 1; // no random numbers in common with the variants
         const Clock::time_point before = Clock::now();
         const PreparedTracer prepared = prepare_(settings);
         prepareSeconds_ = secondsSince(before);
@@ -129,12 +129,13 @@ private:
         if (reference.mean <= 0.0 && reference.samples >= kLeastSamples)
             throw Error("the picture is black, so there is no error to study");
         if (!std::isfinite(reference.error))
-            throw Error("the budget is too short: the reference has " +
-                        std::to_string(reference.samples) + " samples per pixel, and needs " +
-                        std::to_string(kLeastSamples) + "; give it more, or a smaller --size");
+            throw Error("the time budget is too short: the reference has " +
+                        std::to_string(reference.samples) + " samples per pixel and needs " +
+                        std::to_string(kLeastSamples) +
+                        "; use a longer --budget or a smaller --size");
         const std::vector<Variant> variants =
             variantsOf(study_.usual, reference.mean, plan_.isReference);
-        size_t left = variants.size() + 1; // and some together
+        size_t left = variants.size() + 1; // and the improvements together
         share_ = secondsLeft() / static_cast<double>(left);
         yardstick_.emplace(*this);
         yardstick_->measure();
@@ -142,18 +143,18 @@ private:
             take(variant, left--);
         std::vector<Variant> better;
         for (const Measurement& measurement : study_.measurements)
-            if (measurement.variant.isOneChange && isForTheBetter(measurement))
+            if (measurement.variant.isOneChange && isImprovement(measurement))
                 better.push_back(measurement.variant);
         if (better.size() > 1)
             take(together(better), left);
     }
 
-    /// As long for each, so that they can be compared; `left` are to come, this one among them.
+    /// Measures a variant; all get the same time. `left`: variants to come, including this one.
     void take(const Variant& variant, size_t left) {
         const double share = std::min(share_, secondsLeft() / static_cast<double>(left));
         isOutOfTime_ = isOutOfTime_ || share <= 0.0;
         if (isOutOfTime_ && study_.measurements.empty())
-            throw Error("the budget is too short: nothing is left of it for the default settings");
+            throw Error("the time budget is too short: no time is left for the default settings");
         if (isStopped_ || isOutOfTime_)
             return;
         const double seconds =
@@ -164,7 +165,7 @@ private:
                 return;
             yardstick_->measure();
             study_.paceSpread = yardstick_->spread();
-            // The usual settings are a yardstick themselves.
+            // The usual settings measure the pace themselves.
             measurement->pace =
                 study_.measurements.empty() ? paceOf(measurement->last()) : yardstick_->lastPace();
             study_.measurements.push_back(std::move(*measurement));
@@ -190,7 +191,7 @@ private:
         return pixelsOf(study_.usual) * point.samples / point.seconds;
     }
 
-    /// The usual settings, of which a little is rendered now and then.
+    /// Renders a little with the usual settings between the variants, to measure the pace.
     class Yardstick {
     public:
         explicit Yardstick(StudyRun& run)
@@ -236,7 +237,7 @@ private:
         std::vector<double> paces_;
     };
 
-    bool isForTheBetter(const Measurement& measurement) const {
+    bool isImprovement(const Measurement& measurement) const {
         const Measurement& usual = study_.measurements.front();
         if (measurement.variant.losesLight || measurement.variant.options.empty() ||
             !measurement.last().error || !usual.last().error)
@@ -247,7 +248,7 @@ private:
         return cost(measurement) < (1.0 - std::max(kBetter, study_.timingNoise())) * cost(usual);
     }
 
-    /// None where the user stopped it: what is not whole does not count.
+    /// None if the user stopped it: incomplete measurements do not count.
     std::optional<Measurement> measure(const Variant& variant, double seconds) {
         const StudySettings settings = variant.settings(study_.usual);
         const PreparedTracer prepared = prepare_(settings);

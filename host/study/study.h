@@ -13,37 +13,37 @@
 
 namespace calotype {
 
-/// A tracer that is ready to render, and what that took.
+/// A tracer that is ready to render, and the time of its preparation.
 struct PreparedTracer {
     std::shared_ptr<void> owner; ///< of the tracer
     BlockTracer* tracer = nullptr;
     double maxRadiance = 0.0; ///< W/(m^2 sr)
     double buildSeconds = 0.0;
     double compileSeconds = 0.0;
-    std::function<void()> finish = {}; ///< throws what only came to light on the way
+    std::function<void()> finish = {}; ///< called after the render; throws errors that it found
 };
 using PrepareTracer = std::function<PreparedTracer(const StudySettings&)>;
 
-/// What a PrepareTracer may throw where the user stops the study meanwhile.
+/// A PrepareTracer may throw this if the user stops the study.
 struct StudyStopped {};
 
 struct StudyPlan {
-    StudySettings usual;    ///< those of the scene, in its size
-    double seconds = 0.0;   ///< for all of it
-    bool keepsSize = false; ///< else the picture may be made smaller, so that there is time for it
-    bool isReference = false; ///< by the reference tracer, which has no kernel and one kind of tree
+    StudySettings usual;      ///< those of the scene, at its size
+    double seconds = 0.0;     ///< budget of the whole study
+    bool keepsSize = false;   ///< false: the picture may be made smaller to fit the budget
+    bool isReference = false; ///< uses the reference tracer: no kernel, and only one kind of tree
 };
 
-/// What a study hears and tells while it runs.
+/// Callbacks of a running study.
 struct StudyObserver {
     std::function<bool()> shouldStop;
     std::function<void(const std::string& what)> onProgress; ///< about ten times a second
 };
 
-/// The middle of a picture, at most 256 pixels on a side, its pixels as they are: what pages show.
+/// The middle of a picture, at most 256 pixels on a side, not scaled. The page shows this part.
 Image middleOf(const Image& image);
 
-/// A variant that could not be rendered, and why.
+/// A variant that could not be rendered.
 struct FailedVariant {
     std::string name;
     std::string reason; ///< a sentence
@@ -55,28 +55,27 @@ enum class StudyEnding : uint8_t {
     OutOfTime, ///< before all variants were measured
 };
 
-/// What a study found.
+/// The results of a study.
 struct Study {
-    StudySettings usual; ///< in the size of the study
-    double scale = 1.0;  ///< pixels of the scene's picture to one of the study's
+    StudySettings usual; ///< at the picture size of the study
+    double scale = 1.0;  ///< pixels at the scene's own size over pixels of the study's pictures
     std::optional<Reference> reference;
     std::vector<Measurement> measurements; ///< the usual settings first
     std::vector<FailedVariant> failures;
-    /// How much the machine's pace differed between two measurements of it: a standard deviation,
-    /// as a share.
+    /// Relative standard deviation of the machine's pace between two measurements of it.
     double paceSpread = 0.0;
     StudyEnding ending = StudyEnding::Stopped;
 
-    /// Shares of time that differ by less tell nothing.
+    /// Ratios of time whose logarithm is smaller are within the measurement noise.
     double timingNoise() const;
 };
 
-/// Renders a reference in two fifths of the time, each variant for as long as any other in the
-/// rest, and last, where several changes were for the better, these together. Between variants the
-/// usual settings render a little more: how fast they do tells the machine's pace, by which all
-/// seconds are corrected. A study that is stopped, or out of time, holds what was whole by then.
-/// Throws Error where the picture is black, the time too short for a reference, or the usual
-/// settings cannot be rendered.
+/// Renders a reference in two fifths of the time. The variants share the rest equally; last come
+/// all improvements together, if there are several. Between the variants the usual settings render
+/// a little more, which measures the machine's pace; all seconds are corrected by it. A study that
+/// is stopped, or out of time, holds the measurements that were complete. Throws Error if the
+/// picture is black, the time is too short for a reference, or the usual settings cannot be
+/// rendered.
 Study runStudy(const StudyPlan& plan, const PrepareTracer& prepare, const StudyObserver& observer);
 
 } // namespace calotype

@@ -7,7 +7,7 @@
 namespace calotype {
 namespace {
 
-constexpr uint32_t kBouncesOfTheReport = 4;
+constexpr uint32_t kBouncesOfBasicPathTracing = 4;
 
 Variant fewerBounces(uint32_t bounces) {
     return {std::to_string(bounces) + (bounces == 1 ? " bounce" : " bounces"),
@@ -15,7 +15,7 @@ Variant fewerBounces(uint32_t bounces) {
             [bounces](StudySettings& settings) { settings.render.maxBounces = bounces; }};
 }
 
-/// At a radiance of two digits, so that users can type it.
+/// The radiance is rounded to two digits, so that users can type it.
 Variant clampAt(double radiance) {
     const std::string text = shortNumber(radiance, 2);
     const float typed = std::strtof(text.c_str(), nullptr);
@@ -32,16 +32,16 @@ std::vector<Variant> variantsOf(const StudySettings& usual, double mean, bool is
          [](StudySettings& settings) { settings.adapts = true; }},
         {"independent samples", "--sampler independent", false,
          [](StudySettings& settings) { settings.render.sampler = Sampler::Independent; }},
-        {"no roulette", "--roulette off", false,
+        {"no Russian roulette", "--roulette off", false,
          [](StudySettings& settings) { settings.render.transport.usesRoulette = false; }},
-        {"sampling lights alone", "--mis off", false,
+        {"light sampling only", "--mis off", false,
          [](StudySettings& settings) { settings.render.transport.usesMis = false; }},
-        {"all lights as often", "--light-choice uniform", false,
+        {"lights chosen uniformly", "--light-choice uniform", false,
          [](StudySettings& settings) { settings.lightChoice = LightChoice::Uniform; }}};
     if (!isReference) {
-        variants.push_back({"median splits", "--bvh median", false,
+        variants.push_back({"BVH by median splits", "--bvh median", false,
                             [](StudySettings& settings) { settings.bvh = BvhBuilder::Median; }});
-        variants.push_back({"a kernel of everything", "", false,
+        variants.push_back({"kernel with all features", "", false,
                             [](StudySettings& settings) { settings.compilesEverything = true; }});
     }
     const uint32_t bounces = usual.render.maxBounces;
@@ -53,23 +53,24 @@ std::vector<Variant> variantsOf(const StudySettings& usual, double mean, bool is
         variants.push_back(clampAt(10.0 * mean));
         variants.push_back(clampAt(mean));
     }
-    variants.push_back({"the report's settings",
+    variants.push_back({"basic path tracing",
                         "--sampler independent --roulette off --mis off --max-bounces " +
-                            std::to_string(std::min(bounces, kBouncesOfTheReport)),
-                        bounces > kBouncesOfTheReport,
+                            std::to_string(std::min(bounces, kBouncesOfBasicPathTracing)),
+                        bounces > kBouncesOfBasicPathTracing,
                         [](StudySettings& settings) {
                             RenderSettings& render = settings.render;
                             render.sampler = Sampler::Independent;
                             render.transport.usesRoulette = false;
                             render.transport.usesMis = false;
-                            render.maxBounces = std::min(render.maxBounces, kBouncesOfTheReport);
+                            render.maxBounces =
+                                std::min(render.maxBounces, kBouncesOfBasicPathTracing);
                         },
                         false});
     return variants;
 }
 
 Variant together(const std::vector<Variant>& variants) {
-    Variant all{"what helps, together", "", false, [variants](StudySettings& settings) {
+    Variant all{"all improvements together", "", false, [variants](StudySettings& settings) {
                     for (const Variant& variant : variants)
                         variant.change(settings);
                 }};

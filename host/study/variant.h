@@ -10,7 +10,7 @@
 
 namespace calotype {
 
-/// All that a study may choose for a render.
+/// The settings that a study varies.
 struct StudySettings {
     RenderSettings render;
     LightChoice lightChoice = LightChoice::Power;
@@ -19,13 +19,13 @@ struct StudySettings {
     bool adapts = false;
 };
 
-/// One way to render that a study tries: the usual settings but for a change.
+/// One way to render that a study measures: the usual settings with one change.
 struct Variant {
     std::string name;        ///< "independent samples"
-    std::string options;     ///< of the command line; empty where it has none
-    bool losesLight = false; ///< by design: its picture tends to another one
+    std::string options;     ///< of the command line; empty if no option selects this variant
+    bool losesLight = false; ///< by design: its picture converges to another one
     std::function<void(StudySettings&)> change;
-    bool isOneChange = true; ///< else it is not tried together with others
+    bool isOneChange = true; ///< false: it is not combined with others
 
     StudySettings settings(StudySettings usual) const {
         if (change)
@@ -34,12 +34,13 @@ struct Variant {
     }
 };
 
-/// What a study tries, the usual settings first, the report's last. `usual` are of the scene, and
-/// `mean` is the picture's mean radiance, W/(m^2 sr). The reference tracer has no choice of tree
-/// and kernel.
+/// The variants of a study: the usual settings first, basic path tracing (independent samples, no
+/// roulette, no multiple importance sampling, 4 bounces) last. `usual` are the scene's settings,
+/// `mean` is the picture's mean radiance in W/(m^2 sr). With the reference tracer, variants that
+/// change the BVH or the kernel are left out.
 std::vector<Variant> variantsOf(const StudySettings& usual, double mean, bool isReference = false);
 
-/// All of these changes at once.
+/// One variant with all of these changes.
 Variant together(const std::vector<Variant>& variants);
 
 } // namespace calotype

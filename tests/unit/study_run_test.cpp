@@ -197,10 +197,10 @@ TEST(TimedStudy, GoesOnWhereAVariantFails) {
     const Study study = runStudy(planOf(3.0), prepare, kPatient);
     EXPECT_EQ(study.ending, StudyEnding::Whole);
     ASSERT_EQ(study.failures.size(), 1u);
-    EXPECT_EQ(study.failures[0].name, "median splits");
-    EXPECT_EQ(study.measurements.back().variant.name, "the report's settings");
+    EXPECT_EQ(study.failures[0].name, "BVH by median splits");
+    EXPECT_EQ(study.measurements.back().variant.name, "basic path tracing");
     const std::string page = toHtml(study, {"a.json", "none", "calotype render a.json"});
-    EXPECT_NE(page.find("Not measured: median splits: the device was lost."), std::string::npos);
+    EXPECT_NE(page.find("Not measured: BVH by median splits: the device was lost."), std::string::npos);
     // Where the pace cannot be measured any more, from the third variant on.
     int prepared = 0;
     const PrepareTracer failing = [&](const StudySettings& settings) {
