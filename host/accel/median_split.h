@@ -9,8 +9,8 @@ namespace calotype {
 /// centres lie farthest apart; equal centres go by number. Returns how many they are.
 size_t splitByMedian(std::span<BoxReference> references);
 
-/// The report's tree: primitives are split into two halves of equal count by the centres of their
-/// boxes along one axis, which the report leaves open. Deterministic.
+/// The tree that `--bvh median` selects: primitives are split into two halves of equal count by the
+/// centres of their boxes along one axis. Deterministic.
 BinaryTree buildMedianSplit(std::span<const Primitive> primitives,
                             const BuildOptions& options = {});
 

@@ -58,8 +58,8 @@ std::optional<double> whereAbove(double limit, double albedo) {
 
 } // namespace
 
-/// Half vectors of density D n.h (eq. 1.31, 1.32) on a regular grid: each stands for
-/// F G v.h / (n.v n.h) of the light.
+/// Half vectors of density D n.h on a regular grid: each stands for F G v.h / (n.v n.h) of the
+/// light (docs/models.md, "GGX").
 double ggxAlbedo(double cosine, double roughness, double f0, Masking masking) {
     constexpr int kPolar = 32;
     constexpr int kAzimuthal = 16;

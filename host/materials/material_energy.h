@@ -19,7 +19,7 @@ bool isJudgedByWeights(const Material& material);
 /// The share of the light from one direction that the material can reflect, where that is more than
 /// all of it; nullopt where it is not. Blinn-Phong: kd + 4 ks by the format's rule, else kd times
 /// the brightest colour + 4 ks, or + ks where it is normalised. Nonmetal: by numerical integration
-/// up to an angle of 87 degrees, at which with the report's masking and F0 = 0.04 colours from 0.88
+/// up to an angle of 87 degrees, at which with Masking::Schlick and F0 = 0.04 colours from 0.88
 /// (roughness 0) to 0.99 (roughness 0.8) exceed 1. Of textures the extremes are taken, which need
 /// not meet in one place.
 std::optional<double> excessAlbedo(const Material& material, TextureRanges& textures);

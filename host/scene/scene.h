@@ -50,11 +50,11 @@ struct RenderDefaults {
 
 enum class MaterialType : uint8_t { Diffuse, Metal, Nonmetal, BlinnPhong, Dielectric };
 
-/// Shadowing and masking of the GGX lobe: the report's (eq. 1.30), or Smith's height-correlated.
+/// Shadowing and masking of the GGX lobe (docs/models.md, "GGX masking").
 enum class Masking : uint8_t { Schlick, Smith };
 
-/// What a surface does to light; the equations are the report's, as the scene format reads them. A
-/// field that its type does not name is not used. A texture multiplies the number beside it.
+/// How a surface scatters light; docs/models.md has the equations. A field that does not belong to
+/// the material's type is not used. A texture multiplies the number beside it.
 struct Material {
     static constexpr uint32_t kNoTexture = ~0u;
     static constexpr double kHighestExponent = 1e7;
@@ -89,15 +89,15 @@ struct Sphere {
     double radius = 1.0;
 };
 
-/// Axis +Y through the object's origin, closed by caps at y = +-height / 2 (eq. 1.5, 1.6).
+/// Axis +Y through the object's origin, closed by caps at y = +-height / 2.
 struct Cylinder {
     RigidTransform worldFromObject;
     double radius = 1.0;
     double height = 1.0;
 };
 
-/// Apex at the object's origin, base at y = `height` (of either sign), radius `slope * |y|`
-/// (eq. 1.10 to 1.12).
+/// Apex at the object's origin, closed by its base at y = `height` (of either sign). The radius is
+/// `slope * |y|`.
 struct Cone {
     RigidTransform worldFromObject;
     double height = 1.0;

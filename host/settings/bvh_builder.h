@@ -6,7 +6,7 @@ namespace calotype {
 
 /// How the BVH is built.
 enum class BvhBuilder : uint8_t {
-    Median, ///< the report's: halves of equal count; quick to build
+    Median, ///< by halves of equal count; quick to build
     Sah,    ///< by the surface area heuristic; quick to traverse
 };
 

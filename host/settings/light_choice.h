@@ -6,9 +6,9 @@ namespace calotype {
 
 /// Which light is sampled at each scattering event of a path.
 enum class LightChoice : uint8_t {
-    Power,   ///< one, chosen by what the lights send out
-    Uniform, ///< one, each as often as any other
-    All,     ///< one after the other, as in the report; known to the reference tracer only
+    Power,   ///< one, chosen by the power of the lights
+    Uniform, ///< one, each with the same probability
+    All,     ///< all, one after the other; only in the reference tracer
 };
 
 /// As users spell it.

@@ -5,20 +5,21 @@
 #include "core/constants.glsl"
 #include "core/trigonometry.glsl"
 
-/// Uniform on the unit disk: r = sqrt(u.x), phi = 2 pi u.y (report eq. 1.39). Density 1 / pi.
+/// Uniform on the unit disk: r = sqrt(u.x), phi = 2 pi u.y. Density 1 / pi.
 vec2 warpToDisk(vec2 u) {
     vec2 sinCos = sinCosTwoPi(u.y);
     return sqrt(u.x) * sinCos.yx;
 }
 
 /// Barycentric weights of the second and third corner, uniform on a triangle's area
-/// (report eq. 1.38).
+/// (docs/models.md, "Triangle light").
 vec2 warpToTriangle(vec2 u) {
     float root = sqrt(u.x);
     return vec2(root * (1.0 - u.y), root * u.y);
 }
 
-/// Cosine-weighted about +z (Malley's method; report eq. 1.22, 1.23). z > 0 for every u in [0, 1).
+/// Cosine-weighted about +z, by Malley's method (docs/models.md, "Lambert"). z > 0 for every u in
+/// [0, 1).
 vec3 warpToCosineHemisphere(vec2 u) { return vec3(warpToDisk(u), sqrt(1.0 - u.x)); }
 
 /// Density of warpToCosineHemisphere, per solid angle.

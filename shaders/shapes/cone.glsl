@@ -1,5 +1,5 @@
 // Closed cone with its apex at the origin: x^2 + z^2 <= k^2 y^2 for y between 0 and the signed
-// height h (report eq. 1.10 to 1.15). The solid is convex, so a line is inside it on one interval.
+// height h (docs/models.md, "Cone"). The solid is convex, so a line is inside it on one interval.
 //     f(t) = x^2 + z^2 - k^2 y^2:  a = dx^2 + dz^2 - k^2 dy^2,  b = ox dx + oz dz - k^2 oy dy,
 //     D = k^2 (mx^2 + mz^2) - my^2  with the moment m = o x d.
 // Three cases of the leading coefficient:

@@ -1,6 +1,6 @@
-// Closed cylinder x^2 + z^2 <= r^2, |y| <= h / 2 (report eq. 1.5 to 1.9): the line is inside where
-// it is inside both the infinite cylinder and the slab between the caps. Intersecting the two
-// intervals, rather than testing each candidate against the other surface's limits, leaves no gap
+// Closed cylinder x^2 + z^2 <= r^2, |y| <= h / 2 (docs/models.md, "Cylinder"): the line is inside
+// where it is inside both the infinite cylinder and the slab between the caps. Intersecting the two
+// intervals, instead of testing each candidate against the other surface's limits, leaves no gap
 // along the rims.
 //     f(t) in x and z alone: a = dx^2 + dz^2,  b = ox dx + oz dz,  c = ox^2 + oz^2 - r^2,
 //     D = r^2 a - (oz dx - ox dz)^2.

@@ -1,4 +1,4 @@
-// Sphere |p| = radius (report eq. 1.1 to 1.4), as the quadratic
+// Sphere |p| = radius (docs/models.md, "Sphere"), as the quadratic
 //     f(t) = |o + t d|^2 - r^2,  a = d.d,  b = o.d,  c = o.o - r^2.
 // Near the surface c cancels: of a sphere of a thousand kilometres, float would know the height of
 // a point to decimetres only. So the centre has a second float for each coordinate, and c is summed

@@ -60,8 +60,8 @@ vec2 triangleUv(TriangleUvs uvs, vec2 barycentrics) {
            barycentrics.y * uvs.uv2;
 }
 
-/// The report's eq. 1.19 with its two edges the right way round. Of the determinant only the
-/// sign is taken, so nothing is divided; differences of uvs below 1e-19 count as none.
+/// The tangents are those of docs/models.md, "Tangents", up to their lengths: only the sign of the
+/// determinant is used, so nothing is divided. Differences of uvs below 1e-19 count as none.
 SurfaceCoordinates triangleCoordinates(TriangleUvs uvs, vec2 barycentrics, vec3 edge1, vec3 edge2) {
     vec2 uv1 = uvs.uv1 - uvs.uv0;
     vec2 uv2 = uvs.uv2 - uvs.uv0;

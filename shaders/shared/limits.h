@@ -31,7 +31,7 @@ CALOTYPE_CONSTANT uint kMostNodes = 1u << 24u;
 CALOTYPE_CONSTANT uint kMostPrimitives = 1u << 28u;
 
 /// Scattering events of a path before it may end by roulette, and the throughput below which it
-/// may: of the rules tried, the one that made no scene worse (README, "The trade").
+/// may (docs/models.md, "Russian roulette").
 CALOTYPE_CONSTANT uint kEventsBeforeRoulette = 3;
 CALOTYPE_CONSTANT float kRouletteThroughput = 0.25f;
 

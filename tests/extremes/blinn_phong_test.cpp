@@ -64,7 +64,8 @@ TEST_P(BlinnPhongExtremes, ValuesAreThoseOfDirectionsWithinRounding) {
     EXPECT_LE(errors.roundoffs, kAllowedRoundoffs) << errors.worst;
 }
 
-// The report's form weighs 4 ks (n + 2) / (n + 1) wo.h wi.z, the normalized one ks at most.
+// Samples of the form that is not normalized weigh 4 ks (n + 2) / (n + 1) wo.h wi.z, of the
+// normalized one at most ks.
 TEST_P(BlinnPhongExtremes, LobesScatterAsTheReference) {
     EXPECT_LE(samplesOf(0.0, 1.0, 212).greatestWeight, GetParam().normalize ? 1.0 + 1e-6 : 8.0);
 }

@@ -18,7 +18,7 @@ void lookBeside(SceneBuilder& builder, double x, double height) {
 
 // A sphere above the plane that it touches shows itself wholly: E = pi L cos theta (r / d)^2. Where
 // the floor is nearer to the contact than 1.2e-3 radii, it lies within the sphere's rounding: that
-// limit is in the README, and seen only from below.
+// limit is in tests/extremes/README.md, and can be seen only from below.
 TEST_F(TouchingLightTest, SphereOnTheFloor) {
     for (const double area : kAreas)
         for (const double share : {2e-3, 0.5}) {

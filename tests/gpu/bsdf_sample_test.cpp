@@ -94,7 +94,8 @@ TEST_F(BsdfSample, WeighsValueOverDensity) {
         }
 }
 
-// The report's Blinn-Phong form reflects up to about 4 ks; every other model at most what arrives.
+// Blinn-Phong that is not normalized reflects up to about 4 ks; every other model at most what
+// arrives.
 TEST_F(BsdfSample, ConservesEnergyWhereItShould) {
     RandomNumbers random(83);
     for (TestMaterial test : testMaterials()) {

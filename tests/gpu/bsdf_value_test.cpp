@@ -1,5 +1,5 @@
-// The value and density of every opaque material against the report's equations in double, and what
-// must hold of any reflection.
+// The value and density of every opaque material against the equations of docs/models.md in double
+// precision, and against what holds for any reflection.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -1,5 +1,5 @@
-// Every material under light from everywhere: what a surface shows is its albedo, by the report's
-// equations integrated in double precision; lossless glass disappears.
+// Every material under light from all directions: the radiance of a surface is its albedo, by the
+// equations of docs/models.md integrated in double precision; lossless glass disappears.
 #include <cmath>
 #include <numbers>
 

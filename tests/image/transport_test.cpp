@@ -93,7 +93,7 @@ TEST_F(TransportTest, ChoosingLightsAlikeKeepsThePicture) {
     }
 }
 
-// As the report does it, in the reference tracer, which the device is judged by with one light.
+// The reference tracer can sample all lights at each event; the expected picture is the same.
 TEST_F(TransportTest, AskingAllLightsKeepsThePicture) {
     constexpr uint32_t kSmall = 16;
     Scene scene = projectScene("tests/image/scenes/lanterns.json");

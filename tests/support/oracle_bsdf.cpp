@@ -42,7 +42,7 @@ double maskingAndShadowing(const Material& material, double cosO, double cosI) {
     const double alpha = material.roughness * material.roughness;
     if (material.masking == Masking::Smith)
         return 1.0 / (1.0 + lambda(cosO, alpha) + lambda(cosI, alpha));
-    const double k = std::pow(material.roughness + 1.0, 2) / 8.0; // eq. 1.30
+    const double k = std::pow(material.roughness + 1.0, 2) / 8.0;
     const auto g1 = [k](double c) { return c / (c * (1.0 - k) + k); };
     return g1(cosO) * g1(cosI);
 }
@@ -51,7 +51,7 @@ double cookTorrance(const Material& material, double f0, const glm::dvec3& wo,
                     const glm::dvec3& wi) {
     const double alpha = material.roughness * material.roughness;
     return ggxD(halfAngle(wo, wi), alpha) * schlick(f0, cosToHalf(wo, wi)) *
-           maskingAndShadowing(material, wo.z, wi.z) / (4.0 * wo.z * wi.z); // eq. 1.27
+           maskingAndShadowing(material, wo.z, wi.z) / (4.0 * wo.z * wi.z);
 }
 
 double cosPower(double angle, double exponent) {
@@ -63,7 +63,7 @@ double blinnPhong(const Material& material, const glm::dvec3& wo, const glm::dve
     const double lobe = cosPower(halfAngle(wo, wi), n) / (2.0 * kPi);
     if (material.normalize)
         return material.ks * (n + 1.0) * lobe / (4.0 * cosToHalf(wo, wi) * std::max(wo.z, wi.z));
-    return material.ks * (n + 2.0) * lobe; // eq. 1.24
+    return material.ks * (n + 2.0) * lobe;
 }
 
 } // namespace
@@ -72,7 +72,7 @@ glm::dvec3 oracleValue(const Material& material, const glm::dvec3& wo, const glm
     glm::dvec3 f(0.0);
     switch (material.type) {
     case MaterialType::Diffuse:
-        f = material.color / kPi; // eq. 1.21
+        f = material.color / kPi;
         break;
     case MaterialType::Metal:
         for (int channel = 0; channel < 3; ++channel)
@@ -80,7 +80,7 @@ glm::dvec3 oracleValue(const Material& material, const glm::dvec3& wo, const glm
         break;
     case MaterialType::Nonmetal:
         f = glm::dvec3(cookTorrance(material, material.specular, wo, wi)) +
-            (1.0 - material.specular) * material.color / kPi; // eq. 1.33
+            (1.0 - material.specular) * material.color / kPi;
         break;
     case MaterialType::BlinnPhong:
         f = material.kd * material.color / kPi + blinnPhong(material, wo, wi);

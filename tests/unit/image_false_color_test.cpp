@@ -50,7 +50,7 @@ TEST(FalseColor, IsClamped) {
     EXPECT_EQ(falseColor(2.0), falseColor(1.0));
 }
 
-// The README gives these colours.
+// docs/pictures.md lists these colours.
 TEST(DifferencePicture, ShowsKnownDifferences) {
     const struct {
         float difference; ///< from black, in every channel: ten times as much relatively

@@ -1,5 +1,5 @@
-// The reference tracer's materials against the report's equations written down apart from it, and
-// against what holds of any material.
+// The reference tracer's materials against equations that were written separately, and against what
+// holds for any material.
 #include <cmath>
 #include <limits>
 #include <numbers>

@@ -9,9 +9,9 @@ namespace calotype {
 /// The grey of faces whose colour no statement of an MTL file gives.
 constexpr double kUnstatedColor = 0.5;
 
-/// The material of the scene that comes nearest to one of an MTL file; README.md has the mapping as
-/// a table. Numbers out of range are clamped. What a user should know goes into `notes` under
-/// `name`, the material's in the MTL file; the result has no name yet.
+/// The material of the scene that is nearest to one of an MTL file; docs/obj.md has the mapping as
+/// a table. Numbers out of range are clamped. Remarks for the user are added to `notes` under
+/// `name`, the material's name in the MTL file; the result has no name yet.
 Material materialFromMtl(const MtlMaterial& mtl, const std::string& name, MtlMaps& maps,
                          MtlNotes& notes);
 
