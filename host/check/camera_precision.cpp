@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "scene/place.h"
 #include "scene/scene_bounds.h"
 
 namespace calotype {
@@ -40,19 +41,19 @@ void warnOfCameraPrecision(const Scene& scene, Warnings& warnings) {
     const double rows = scene.film.height;
     if (camera.projection == Projection::Perspective) {
         if (2.0 * std::tan(0.5 * camera.verticalFov) < kFinestPixel * rows) {
-            warnings.add(scene.place + ": /camera/fov",
+            warnings.add(placeOf(scene, "/camera/fov"),
                          "is so narrow that rays of neighbouring pixels are less than 1e-6 "
                          "radians apart, which single precision hardly resolves; look along an "
                          "axis of the world, or come closer and widen it");
         }
     } else if (camera.viewHeight < kFinestPixel * rows * distanceToScene(scene)) {
-        warnings.add(scene.place + ": /camera/height",
+        warnings.add(placeOf(scene, "/camera/height"),
                      "makes pixels smaller than 1e-6 of the camera's distance from the scene, "
                      "which single precision hardly resolves; look along an axis of the world, or "
                      "come closer");
     }
     if (camera.lensRadius > kWidestLens * camera.focusDistance) {
-        warnings.add(scene.place + ": /camera/lens_radius",
+        warnings.add(placeOf(scene, "/camera/lens_radius"),
                      "is more than 100 times the focus_distance, so that single precision blurs "
                      "what is in focus; lower it, or look along an axis of the world");
     }

@@ -12,6 +12,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
+#include "scene/place.h"
+
 namespace calotype {
 namespace {
 
@@ -19,7 +21,7 @@ namespace {
 /// other (CoplanarLightTest in tests/extremes), and mixes some that lie a tenth as far.
 constexpr double kGap = 1e-6;
 constexpr double kMostPairs = 1e7;
-constexpr size_t kMostNamed = 5; ///< lights, lest a grid of lamps fill the screen
+constexpr size_t kMostNamed = 5; ///< lights: a grid of lamps must not fill the screen
 
 /// A triangle; or a disk, the cap of a cylinder or the base of a cone as a polygon within it, which
 /// leaves out 2 % of its radius at most.
@@ -155,10 +157,10 @@ void warn(const Scene& scene, Warnings& warnings, const Facet& light, const Face
     message.precision(1);
     message << "lies in the plane of "
             << (light.shape == other.shape ? "other triangles of its own"
-                                           : scene.shapes[other.shape].place)
+                                           : placeOfShape(scene, other.shape))
             << ", so that rounding decides which of the two is seen; move it off by " << gap
             << " m or more";
-    warnings.add(scene.shapes[light.shape].place, message.str());
+    warnings.add(placeOfShape(scene, light.shape), message.str());
 }
 
 } // namespace

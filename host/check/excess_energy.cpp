@@ -2,44 +2,18 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <iomanip>
 #include <map>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "base/names.h"
-#include "materials/material_energy.h"
+#include "materials/excess_albedo.h"
+#include "materials/material_kind.h"
+#include "scene/place.h"
 #include "scene/used_materials.h"
 
 namespace calotype {
 namespace {
-
-std::string percent(double share) {
-    std::ostringstream text;
-    text << std::fixed << std::setprecision(1) << 100.0 * share << " %";
-    return text.str();
-}
-
-std::string blinnPhongWarning(const Material& blinnPhong, const std::string& share) {
-    return "this blinn_phong can reflect " +
-           (isJudgedByWeights(blinnPhong) ? "more light than it receives, since kd + 4 ks > 1"
-                                          : "up to " + share + " of the light that it receives") +
-           "; lower kd or ks" + (blinnPhong.normalize ? "" : ", or set \"normalize\": true");
-}
-
-std::string energyWarning(const Material& material, double albedo) {
-    const std::string share = percent(albedo);
-    if (material.type == MaterialType::BlinnPhong) {
-        return blinnPhongWarning(material, share);
-    }
-    const uint32_t slots[] = {material.colorTexture, material.roughnessTexture,
-                              material.specularTexture};
-    const bool textured = std::ranges::any_of(
-        slots, [](uint32_t texture) { return texture != Material::kNoTexture; });
-    return std::string("this nonmetal ") + (textured ? "can reflect" : "reflects") + " up to " +
-           share + " of the light that it receives, at grazing angles; choose a darker colour";
-}
 
 /// Materials that come from one place, such as an OBJ's MTL files, and reflect too much.
 struct Excess {
@@ -53,9 +27,13 @@ std::string energyWarning(const Scene& scene, const Excess& excess) {
         names.push_back(scene.materials[i].name);
     }
     return "materials that can reflect more light than they receive, up to " +
-           percent(excess.most) +
+           albedoText(excess.most) +
            " at grazing angles (choose darker colours or a greater roughness): " +
            listInQuotes(names);
+}
+
+std::string energyWarning(const Material& material, double albedo) {
+    return kindOf(material).excessWarning(material, albedo);
 }
 
 } // namespace
@@ -67,9 +45,10 @@ void warnOfExcessEnergy(const Scene& scene, Warnings& warnings) {
     std::map<std::string, Excess> excessOfPlace;
     for (uint32_t i = 0; i < scene.materials.size(); ++i) {
         const Material& material = scene.materials[i];
-        ++materialsOfPlace[material.place];
+        const std::string place = placeOfMaterial(scene, i);
+        ++materialsOfPlace[place];
         if (const auto albedo = used[i] ? excessAlbedo(material, textures) : std::nullopt) {
-            Excess& excess = excessOfPlace[material.place];
+            Excess& excess = excessOfPlace[place];
             excess.materials.push_back(i);
             excess.most = std::max(excess.most, *albedo);
         }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/names.h"
+#include "scene/place.h"
 #include "scene/used_materials.h"
 
 namespace calotype {
@@ -25,18 +27,21 @@ void warnOfLightPrecision(const Scene& scene, Warnings& warnings) {
             brightest = std::max(brightest, brightestChannel(scene.materials[i].emission));
         }
     }
-    const auto warnIfFaint = [&](const glm::dvec3& radiance, const std::string& where) {
+    const auto warnIfFaint = [&](const glm::dvec3& radiance, const std::string& where,
+                                 const std::string& subject) {
         const double channel = brightestChannel(radiance);
         if (channel > 0.0 && channel < kFaintest * brightest) {
-            warnings.add(where, "shines with less than 5e-17 of the radiance of the brightest "
-                                "light, beside which the film loses it; render the two in "
-                                "pictures of their own and add these");
+            warnings.add(where, subject +
+                                    "shines with less than 5e-17 of the radiance of the brightest "
+                                    "light, beside which the film loses it; render the two in "
+                                    "pictures of their own and add these");
         }
     };
-    warnIfFaint(scene.background, scene.place + ": /background");
+    warnIfFaint(scene.background, placeOf(scene, "/background"), "");
     for (size_t i = 0; i < used.size(); ++i) {
         if (used[i]) {
-            warnIfFaint(scene.materials[i].emission, "material '" + scene.materials[i].name + "'");
+            warnIfFaint(scene.materials[i].emission, placeOfMaterial(scene, i),
+                        "the material " + inQuotes(scene.materials[i].name) + " ");
         }
     }
 }

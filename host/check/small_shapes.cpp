@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/names.h"
+#include "scene/place.h"
 #include "scene/scene_bounds.h"
 
 namespace calotype {
@@ -101,7 +102,7 @@ void warnOfSmallShapes(const Scene& scene, Warnings& warnings) {
     }
     if (count > 0) {
         warnings.add(
-            smallest.shape->place,
+            placeOf(scene, *smallest.shape),
             (smallest.isOfParts ? "has triangles only " : "is only ") + twoDigits(smallest.size) +
                 " m wide" + consequence(smallest) +
                 (count > 1 ? " (" + std::to_string(count - 1) + " more are as small)" : ""));

@@ -9,6 +9,7 @@
 
 #include "base/names.h"
 #include "scene/material_textures.h"
+#include "scene/place.h"
 
 namespace calotype {
 namespace {
@@ -95,7 +96,7 @@ void warnOfTexturePrecision(const Scene& scene, Warnings& warnings) {
         }
     }
     for (const auto& [shape, excess] : excesses) {
-        warnings.add(scene.shapes[shape].place,
+        warnings.add(placeOfShape(scene, shape),
                      "textures are read up to " + twoDigits(excess.texels) +
                          " texels from their origin, where single precision is off by up to " +
                          twoDigits(0.5 * excess.texels / kFarthestTexel) +

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/names.h"
+#include "scene/place.h"
 
 namespace calotype {
 namespace {
@@ -38,7 +39,7 @@ void warnOfThinQuadrics(const Scene& scene, Warnings& warnings) {
     }
     if (thinnest != nullptr) {
         const bool isCone = std::holds_alternative<Cone>(thinnest->geometry);
-        warnings.add(thinnest->place,
+        warnings.add(placeOf(scene, *thinnest),
                      std::string("the ") + (isCone ? "cone" : "cylinder") + " is " +
                          twoDigits(greatest) + " times larger one way than the other" +
                          (count > 1 ? ", the most of " + std::to_string(count) + " so thin" : "") +

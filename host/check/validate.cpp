@@ -9,10 +9,16 @@
 #include "check/small_shapes.h"
 #include "check/texture_precision.h"
 #include "check/thin_quadrics.h"
+#include "check/valid_camera.h"
+#include "check/valid_materials.h"
+#include "check/valid_shapes.h"
 
 namespace calotype {
 
 void validate(const Scene& scene, Warnings& warnings) {
+    requireValidCamera(scene);
+    requireValidMaterials(scene);
+    requireValidShapes(scene);
     requireRadianceInRange(scene);
     warnOfExcessEnergy(scene, warnings);
     warnOfLightPrecision(scene, warnings);

@@ -178,6 +178,8 @@ int parseAndRun(int argc, char** argv) {
     CLI::App& bench = addBenchCommand(app, benchOptions);
     CLI::App& devices = *app.add_subcommand("devices", "List devices and say which one is taken");
     addDeviceOptions(devices, devicesOptions);
+    CLI::App& schema =
+        *app.add_subcommand("schema", "Print the JSON Schema of scene files, for editors");
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& success) { // --help, --version
@@ -186,9 +188,8 @@ int parseAndRun(int argc, char** argv) {
         throw UsageError(std::string(error.what()) + " (see calotype --help)");
     }
     if (app.get_subcommands().empty())
-        throw UsageError("a command is required: render, info, merge, compare, study, bench or "
-                         "devices (see calotype "
-                         "--help)");
+        throw UsageError("a command is required: render, info, merge, compare, study, bench, "
+                         "devices or schema (see calotype --help)");
     if (render.parsed())
         return renderCommand(renderOptions);
     const int code = info.parsed()      ? infoCommand(infoOptions)
@@ -196,6 +197,7 @@ int parseAndRun(int argc, char** argv) {
                      : compare.parsed() ? compareCommand(compareOptions)
                      : study.parsed()   ? studyCommand(studyOptions)
                      : bench.parsed()   ? benchCommand(benchOptions)
+                     : schema.parsed()  ? schemaCommand()
                                         : devicesCommand(devicesOptions);
     if (std::fflush(stdout) != 0)
         throw OutputError("cannot write to standard output");

@@ -13,5 +13,6 @@ int compareCommand(const CompareOptions& options);
 int studyCommand(const StudyOptions& options);
 int benchCommand(const BenchOptions& options);
 int devicesCommand(const DeviceOptions& options);
+int schemaCommand(); ///< prints the JSON schema of scene files
 
 } // namespace calotype

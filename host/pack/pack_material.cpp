@@ -1,38 +1,11 @@
 #include "pack/pack_material.h"
 
+#include "materials/material_kind.h"
 #include "scene/material_textures.h"
 #include "shared/limits.h"
 
 namespace calotype {
 namespace {
-
-bool isBlack(const Material& material) { return material.color == glm::dvec3(0.0); }
-
-uint32_t ggxLobe(const Material& material) {
-    return shared::kLobeGgx | (material.masking == Masking::Smith ? shared::kSmithMasking : 0);
-}
-
-uint32_t lobesOf(const Material& material) {
-    switch (material.type) {
-    case MaterialType::Diffuse:
-        return isBlack(material) ? 0 : shared::kLobeDiffuse;
-    case MaterialType::Metal:
-        return ggxLobe(material) | shared::kColorIsF0;
-    case MaterialType::Nonmetal:
-        return ggxLobe(material) | shared::kLobeDiffuse;
-    case MaterialType::BlinnPhong:
-        return shared::kLobeDiffuse | shared::kLobeBlinnPhong |
-               (material.normalize ? shared::kNormalizedLobe : 0);
-    case MaterialType::Dielectric:
-        break;
-    }
-    return shared::kLobeDielectric;
-}
-
-/// What the packed material's `specular` is.
-double specularOf(const Material& material) {
-    return material.type == MaterialType::BlinnPhong ? material.ks : material.specular;
-}
 
 bool mayBeMirror(const Material& material) {
     const double alpha = material.roughness * material.roughness;
@@ -87,7 +60,15 @@ private:
 shared::Material packMaterial(const Material& material, std::span<const Texture> sceneTextures,
                               TexturePacker& textures, SceneFeatures& features) {
     shared::Material packed{};
-    packed.lobes = lobesOf(material);
+    packed.color = glm::vec3(material.color);
+    packed.roughness = static_cast<float>(material.roughness);
+    packed.specular = static_cast<float>(material.specular);
+    packed.opacity = static_cast<float>(material.opacity);
+    packed.kd = static_cast<float>(material.kd);
+    packed.exponent = static_cast<float>(material.exponent);
+    packed.eta = static_cast<float>(material.ior / material.exteriorIor);
+    kindOf(material).pack(material, packed);
+
     const bool hasGgx = (packed.lobes & shared::kLobeGgx) != 0;
     const auto enable = [&](uint32_t feature, bool needed) {
         features.enabled[feature] = features.enabled[feature] || needed;
@@ -105,13 +86,6 @@ shared::Material packMaterial(const Material& material, std::span<const Texture>
         packed.*slot.packed =
             slots.pack(isRead ? material.*slot.texture : Material::kNoTexture, slot.feature);
     }
-    packed.color = glm::vec3(material.color);
-    packed.roughness = static_cast<float>(material.roughness);
-    packed.specular = static_cast<float>(specularOf(material));
-    packed.opacity = static_cast<float>(material.opacity);
-    packed.kd = static_cast<float>(material.kd);
-    packed.exponent = static_cast<float>(material.exponent);
-    packed.eta = static_cast<float>(material.ior / material.exteriorIor);
     return packed;
 }
 

@@ -29,9 +29,8 @@ struct LoadOptions {
     std::function<void(const std::string& what, double done)> onProgress;
 };
 
-/// Reads, checks and resolves a scene file (scenes/scene.schema.json describes the format).
-/// A Wavefront OBJ (".obj") becomes a scene made around it, see loadModelScene. Throws SceneError
-/// with the place of the first mistake.
+/// Reads a scene by the reader of its file's extension (see sceneReaders) and validates it. Throws
+/// SceneError with the place of the first mistake.
 Scene loadScene(const std::string& path, const LoadOptions& options = {});
 
 } // namespace calotype

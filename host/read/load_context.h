@@ -12,9 +12,9 @@
 #include "base/content_hash.h"
 #include "base/warnings.h"
 #include "mesh/displacement.h"
-#include "read/json/value.h"
 #include "read/load.h"
 #include "read/obj/obj_file.h"
+#include "read/reader.h"
 #include "scene/scene.h"
 
 namespace calotype {
@@ -26,8 +26,11 @@ struct LoadContext {
         scene.place = path;
     }
 
-    /// The scene, at the size that the options name, validated, with its hash and all warnings.
-    Scene finish() &&;
+    /// The scene with its hash, and the warnings.
+    SceneAndNotes finish() && {
+        scene.hash = hash.value();
+        return {std::move(scene), std::move(warnings)};
+    }
 
     const LoadOptions& options;
     std::filesystem::path directory; ///< that file names in the scene are relative to

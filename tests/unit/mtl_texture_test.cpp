@@ -86,10 +86,12 @@ TEST(MtlTexture, RefusesGarbageInOptions) {
 TEST(MtlTexture, RefusesScalesAndOffsetsBeyondSinglePrecision) {
     for (const char* text :
          {"-s 1.1e9 a.png", "-s 1 -1.1e9 a.png", "a.png -s 1e30", "-s 1e300 a"}) {
-        expectMessage(errorOf([&] { parse(text); }), "the option \"-s\" must lie in [-1e9, 1e9]");
+        expectMessage(errorOf([&] { parse(text); }),
+                      "the option \"-s\" must be in [-1e+09, 1e+09]");
     }
     for (const char* text : {"-o 0 1.1e9 a.png", "a.png -o 1e30"}) {
-        expectMessage(errorOf([&] { parse(text); }), "the option \"-o\" must lie in [-1e9, 1e9]");
+        expectMessage(errorOf([&] { parse(text); }),
+                      "the option \"-o\" must be in [-1e+09, 1e+09]");
     }
     EXPECT_EQ(parse("-s 1e9 -1e9 1e30 a.png").scale, glm::dvec2(1e9, -1e9));
 }

@@ -135,7 +135,8 @@ TEST_F(LimitWarnings, LightsThatTheFilmLosesBesideTheBrightest) {
               std::string::npos)
         << warnings[0];
     scene["background"] = {0, 0, 1e20};
-    EXPECT_NE(warningsOf(scene, text).at(0).find("material 'light 0': shines"), std::string::npos);
+    EXPECT_NE(warningsOf(scene, text).at(0).find("/lights/0: the material \"light 0\" shines"),
+              std::string::npos);
     scene["background"] = 0;
     EXPECT_TRUE(warningsOf(scene, text).empty());
     scene["materials"]["unused"] = {{"type", "diffuse"}, {"color", 0}, {"emission", 1e20}};
@@ -149,7 +150,9 @@ TEST_F(LimitWarnings, ModelsToo) {
                                   "f 1 2 3\n"),
         {});
     ASSERT_EQ(scene.warnings.size(), 1u);
-    EXPECT_NE(scene.warnings[0].find("dim': shines with less than 5e-17"), std::string::npos);
+    EXPECT_NE(scene.warnings[0].find(
+                  "model.obj: the material \"model.obj:dim\" shines with less than 5e-17"),
+              std::string::npos);
 }
 
 TEST_F(LimitWarnings, ViewsFinerThanRaysAre) {

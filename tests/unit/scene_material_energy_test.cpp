@@ -6,7 +6,8 @@
 #include <glm/vec3.hpp>
 #include <gtest/gtest.h>
 
-#include "materials/material_energy.h"
+#include "materials/excess_albedo.h"
+#include "materials/ggx.h"
 
 namespace calotype {
 namespace {

@@ -1,5 +1,4 @@
 // When a scene is said to ask for more than single precision resolves, where and in which words.
-#include "read/obj/model_scene.h"
 #include "support/image_files.h"
 #include "unit/scene_files.h"
 
@@ -65,7 +64,7 @@ TEST_F(PrecisionWarnings, OfAModelFilesTexturesInOneSentence) {
                                                     "vt 0 0\nvt 1e6 0\nvt 0 1\n"
                                                     "usemtl a\nf 1/1 2/2 3/3\n"
                                                     "usemtl b\nf 1/1 2/2 3/3\n");
-    const auto warnings = ofPrecision(loadModelScene(model, {}).warnings);
+    const auto warnings = ofPrecision(loadScene(model).warnings);
     ASSERT_EQ(warnings.size(), 1u);
     EXPECT_NE(warnings[0].find("read up to 6e+06 texels"), std::string::npos) << warnings[0];
 }

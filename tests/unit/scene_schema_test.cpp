@@ -3,10 +3,12 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <set>
 
 #include <sys/wait.h>
 
+#include "read/json/scene.h"
 #include "scene_files.h"
 #include "support/paths.h"
 
@@ -85,6 +87,31 @@ TEST(SceneSchema, KnowsEveryKeyInTheScenes) {
             EXPECT_TRUE(known.contains(key)) << path << " uses " << key;
         }
     }
+}
+
+TEST(SceneSchema, IsWhatTheReadersTablesSay) {
+    std::ifstream file(kSourceFolder / "scenes" / "scene.schema.json");
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    EXPECT_EQ(text, sceneSchema()) << "write it anew: calotype schema > scenes/scene.schema.json";
+}
+
+/// Expects a description of each value of each "properties" below `schema`.
+void expectDescriptions(const nlohmann::json& schema, const std::string& place) {
+    for (const auto& [key, value] : schema.items()) {
+        if (key == "properties" && schema.is_object() && !place.ends_with("/if")) {
+            for (const auto& [property, described] : value.items()) {
+                EXPECT_FALSE(described.value("description", "").empty())
+                    << place << " " << property;
+            }
+        }
+        if (value.is_structured()) {
+            expectDescriptions(value, place + "/" + key);
+        }
+    }
+}
+
+TEST(SceneSchema, DescribesEveryKey) {
+    expectDescriptions(nlohmann::json::parse(sceneSchema()), "");
 }
 
 TEST(SceneSchema, ValidatesTheScenesAndRefusesBrokenOnes) {

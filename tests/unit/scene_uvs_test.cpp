@@ -68,7 +68,7 @@ TEST_F(SceneUvs, BeyondSinglePrecisionAreErrorsWithTheirPlace) {
     };
     for (const std::string coordinate : {"1.1e9", "-1.1e9", "1e30", "1e300"}) {
         expectError(errorOf([&] { readWith(coordinate); }), "scene.json: /shapes/0/uvs/3/1",
-                    "must lie in [-1e9, 1e9]");
+                    "must be in [-1e+09, 1e+09]");
     }
     EXPECT_EQ(uvAt(readWith("-1e9"), 1, {0, 2, 0}), glm::dvec2(0, -1e9));
 }
@@ -109,7 +109,7 @@ TEST_F(SceneUvs, MissingOnesAreWarnedOfWhereTexturesAreRead) {
     read(R"({"type": "mesh", "file": "m.obj", "material": "tiled"})");
     ASSERT_EQ(context.warnings.sentences().size(), 1u);
     EXPECT_TRUE(context.warnings.sentences()[0].ends_with(
-        "/m.obj: faces that bear the textured material \"tiled\" lack texture coordinates, which "
+        "/m.obj: faces of the textured material \"tiled\" lack texture coordinates, which "
         "count as (0, 0)"))
         << context.warnings.sentences()[0];
     files.write("n.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n");

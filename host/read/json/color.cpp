@@ -1,7 +1,10 @@
 #include "read/json/color.h"
 
 #include <charconv>
-#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include <nlohmann/json.hpp>
 
 #include "base/names.h"
 #include "image/srgb.h"
@@ -25,25 +28,22 @@ glm::dvec3 readHexColor(const JsonValue& value) {
     value.fail(inQuotes(text) + " is not a colour \"#rrggbb\" of six hexadecimal digits");
 }
 
-glm::dvec3 readColor(const JsonValue& value, double highest) {
+} // namespace
+
+glm::dvec3 readColor(const JsonValue& value, const Range& channel) {
     if (value.json().is_string()) {
         return readHexColor(value);
     }
     if (value.json().is_number()) {
-        return glm::dvec3(value.numberIn(0.0, highest));
+        return glm::dvec3(value.numberIn(channel));
     }
     if (!value.json().is_array() || value.json().size() != 3) {
         value.fail("must be a colour: [r, g, b], one number, or \"#rrggbb\"");
     }
     const std::vector<JsonValue> rgb = value.array();
-    return {rgb[0].numberIn(0.0, highest), rgb[1].numberIn(0.0, highest),
-            rgb[2].numberIn(0.0, highest)};
+    return {rgb[0].numberIn(channel), rgb[1].numberIn(channel), rgb[2].numberIn(channel)};
 }
 
-} // namespace
-
-glm::dvec3 readReflectance(const JsonValue& value) { return readColor(value, 1.0); }
-
-glm::dvec3 readRadiance(const JsonValue& value) { return readColor(value, HUGE_VAL); }
+bool canBeTextureName(const std::string& text) { return !text.empty() && text.front() != '#'; }
 
 } // namespace calotype

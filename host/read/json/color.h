@@ -1,16 +1,19 @@
 #pragma once
 
+#include <string>
+
 #include <glm/vec3.hpp>
 
+#include "base/range.h"
 #include "read/json/value.h"
 
 namespace calotype {
 
 /// A colour as linear Rec. 709: [r, g, b], one number for grey, or "#rrggbb" (sRGB-encoded).
-/// Throws SceneError unless every component lies in [0, 1].
-glm::dvec3 readReflectance(const JsonValue& value);
+/// Throws SceneError unless each channel lies in `channel`.
+glm::dvec3 readColor(const JsonValue& value, const Range& channel);
 
-/// The same notation for radiance (W/(m^2 sr)) or power (W): not negative, without an upper bound.
-glm::dvec3 readRadiance(const JsonValue& value);
+/// False of texts that start with '#', which are colours.
+bool canBeTextureName(const std::string& text);
 
 } // namespace calotype

@@ -1,9 +1,13 @@
 #pragma once
 
 #include "mesh/displacement.h"
+#include "read/json/object.h"
 #include "read/load_context.h"
 
 namespace calotype {
+
+/// The key "displacement" of meshes and materials.
+JsonKey displacementKey();
 
 /// The "displacement" of a mesh or a material.
 Displacement readDisplacement(const JsonValue& value, const LoadContext& context);

@@ -1,29 +1,43 @@
 #include "read/json/lights.h"
 
-#include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "mesh/mesh_builder.h"
 #include "read/json/color.h"
 #include "read/json/polygons.h"
 #include "read/json/quadrics.h"
+#include "read/json/transform.h"
 
 namespace calotype {
 namespace {
 
-const std::array<std::string, 3> kTypes = {"disk", "triangle", "quad"};
 enum Type { kDisk, kTriangle, kQuad };
 
-std::vector<std::string> keysOf(Type type) {
-    std::vector<std::string> keys = {"type",  "transform", "radiance",
-                                     "power", "two_sided", "visible"};
-    if (type == kDisk) {
-        keys.insert(keys.end(), {"center", "normal", "radius"});
-    } else {
-        keys.push_back("vertices");
-    }
-    return keys;
+JsonObjectType lightTypeOf(const char* name, const char* description, std::vector<JsonKey> keys) {
+    keys.push_back(transformKey());
+    keys.push_back(JsonKey("radiance", radianceType(), "What it shines with.").in("W/(m^2 sr)"));
+    keys.push_back(JsonKey("power", radianceType(), "All that it sends out, in place of radiance.")
+                       .in("watts"));
+    keys.push_back(
+        JsonKey("two_sided", booleanType(), "Whether its back shines too.").orElse(false));
+    keys.push_back(
+        JsonKey("visible", booleanType(), "Whether camera rays see it; reflections always do.")
+            .orElse(true));
+    return chosenType(name, description, std::move(keys), {exactlyOne("radiance", "power")});
+}
+
+/// In the order of Type.
+const JsonObjectTypes& lightTypes() {
+    static const JsonObjectTypes types = {
+        lightTypeOf("disk", "A black disk that shines from its front.", diskKeys()),
+        lightTypeOf("triangle", "A black triangle that shines from its front.",
+                    triangleKeys(PolygonUse::Light)),
+        lightTypeOf("quad", "A black quad that shines from its front.",
+                    quadKeys(PolygonUse::Light))};
+    return types;
 }
 
 /// One side's, in square metres.
@@ -40,30 +54,30 @@ double area(const Mesh& mesh) {
 
 /// From "radiance", or from "power" spread evenly over all sides and directions (Lambert's law).
 glm::dvec3 readEmission(const JsonObject& object, double shiningArea) {
-    object.exclude("radiance", "power");
-    const auto power = object.optional("power");
-    if (!power) {
-        if (!object.has("radiance")) {
-            object.value().fail("lacks \"radiance\" (or \"power\")");
-        }
-        return readRadiance(object.required("radiance"));
+    if (const auto radiance = object.optional("radiance")) {
+        return readColor(*radiance, ranges::kRadiance);
     }
-    const glm::dvec3 radiance = readRadiance(*power) / (std::numbers::pi * shiningArea);
+    const JsonValue power = object.required("power");
+    const glm::dvec3 radiance =
+        readColor(power, ranges::kRadiance) / (std::numbers::pi * shiningArea);
     if (!std::isfinite(radiance.x + radiance.y + radiance.z)) {
-        power->fail("is too much for so small a light: its radiance is not finite");
+        power.fail("is too much for so small a light: its radiance is not finite");
     }
     return radiance;
 }
 
 } // namespace
 
+JsonType lightType() { return anyOf(lightTypes(), "light"); }
+
 Shape readLight(const JsonValue& value, size_t index, LoadContext& context) {
-    const auto type = static_cast<Type>(choiceAt(value, "type", kTypes));
-    const JsonObject object(value, keysOf(type));
+    const auto type = static_cast<Type>(readType(value, lightTypes()));
+    const JsonObject object(value, lightTypes()[type]);
     const bool twoSided = object.boolean("two_sided", false);
 
     Material material;
     material.name = "light " + std::to_string(index);
+    material.place = value.where();
     material.emitsFromFrontOnly = !twoSided;
     material.visibleToCamera = object.boolean("visible", true);
 

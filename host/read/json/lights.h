@@ -1,11 +1,17 @@
 #pragma once
 
+#include <cstddef>
+
+#include "read/json/object.h"
 #include "read/load_context.h"
 
 namespace calotype {
 
-/// Element `index` of the scene file's "lights": a shape that bears a black, emitting material of
-/// its own, which is added to Scene::materials as "light INDEX".
+/// An element of the scene file's "lights".
+JsonType lightType();
+
+/// Element `index` of the scene file's "lights": a shape with a black, emitting material of its
+/// own, which is added to Scene::materials as "light INDEX".
 Shape readLight(const JsonValue& value, size_t index, LoadContext& context);
 
 } // namespace calotype

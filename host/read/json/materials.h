@@ -1,12 +1,15 @@
 #pragma once
 
+#include "read/json/object.h"
 #include "read/load_context.h"
 
 namespace calotype {
 
+/// The value of the scene file's "materials".
+JsonType materialsType();
+
 /// The scene file's "materials" into Scene::materials, in the order of their names, and their
-/// displacements into LoadContext::displacements. Warns of those that reflect more light than they
-/// receive.
+/// displacements into LoadContext::displacements.
 void readMaterials(const JsonValue& value, LoadContext& context);
 
 /// The index of the material that `reference` names. Throws SceneError if there is none.

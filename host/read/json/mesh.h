@@ -1,8 +1,17 @@
 #pragma once
 
+#include <vector>
+
+#include "read/json/object.h"
 #include "read/load_context.h"
 
 namespace calotype {
+
+/// The keys of a "mesh".
+std::vector<JsonKey> meshKeys();
+
+/// "material" stands in place of "materials".
+JsonRule meshMaterialRule();
 
 /// A "mesh": an OBJ file, displaced and in world space, its faces' materials resolved to
 /// Scene::materials. Warns where textures are read but texture coordinates missing.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include <nlohmann/json.hpp>
+
 #include "base/names.h"
 #include "read/json/materials.h"
 #include "read/obj/mtl_library.h"
@@ -58,7 +60,6 @@ std::vector<uint32_t> resolveByName(const JsonValue& map, const ObjFile& obj,
 
 std::vector<uint32_t> resolveMeshMaterials(const JsonObject& mesh, const ObjFile& obj,
                                            const std::string& objPath, LoadContext& context) {
-    mesh.exclude("material", "materials");
     if (const auto material = mesh.optional("material")) {
         return {findMaterial(*material, context)};
     }

@@ -1,5 +1,10 @@
 #pragma once
 
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "read/json/object.h"
 #include "read/load_context.h"
 
 namespace calotype {

@@ -2,6 +2,10 @@
 
 #include <charconv>
 #include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "base/names.h"

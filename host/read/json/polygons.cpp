@@ -7,7 +7,7 @@
 
 #include "mesh/mesh_builder.h"
 #include "read/json/transform.h"
-#include "scene/uv_limit.h"
+#include "scene/ranges.h"
 
 namespace calotype {
 namespace {
@@ -37,14 +37,6 @@ void checkPlanar(const std::vector<glm::dvec3>& v, const JsonValue& place) {
     }
 }
 
-double readUv(const JsonValue& coordinate) {
-    const double number = coordinate.number();
-    if (!isUv(number)) {
-        coordinate.fail(kMustBeUv);
-    }
-    return number;
-}
-
 /// One for each vertex, or `otherwise` without "uvs". A light has none.
 std::vector<glm::dvec2> readUvs(const JsonObject& object, PolygonUse use,
                                 const std::vector<glm::dvec2>& otherwise) {
@@ -58,7 +50,7 @@ std::vector<glm::dvec2> readUvs(const JsonObject& object, PolygonUse use,
     std::vector<glm::dvec2> uvs;
     for (const JsonValue& uv : value->array(otherwise.size())) {
         const std::vector<JsonValue> coordinates = uv.array(2);
-        uvs.emplace_back(readUv(coordinates[0]), readUv(coordinates[1]));
+        uvs.emplace_back(coordinates[0].number(), coordinates[1].number());
     }
     return uvs;
 }
@@ -86,7 +78,32 @@ Mesh::Triangle flatTriangle(uint32_t a, uint32_t b, uint32_t c, uint32_t materia
     return triangle;
 }
 
+std::vector<JsonKey> polygonKeys(size_t corners, const char* description, PolygonUse use,
+                                 const char* defaultUvs) {
+    std::vector<JsonKey> keys = {
+        JsonKey("vertices", arrayType(vectorType(), corners), description).in("metres").required()};
+    if (use == PolygonUse::Shape) {
+        const JsonType uv = arrayType(numberType(ranges::kTextureCoordinate), 2);
+        keys.push_back(JsonKey("uvs", arrayType(namedType("uv", uv), corners),
+                               "Texture coordinates [u, v] of each vertex.")
+                           .orElseJson(defaultUvs));
+    }
+    return keys;
+}
+
 } // namespace
+
+std::vector<JsonKey> triangleKeys(PolygonUse use) {
+    return polygonKeys(3, "The corners, counter-clockwise seen from the front.", use,
+                       "[[0, 0], [1, 0], [0, 1]]");
+}
+
+std::vector<JsonKey> quadKeys(PolygonUse use) {
+    return polygonKeys(4,
+                       "The corners, in one plane, counter-clockwise seen from the front. The quad "
+                       "becomes the triangles 012 and 023.",
+                       use, "[[0, 0], [1, 0], [1, 1], [0, 1]]");
+}
 
 Mesh readTriangle(const JsonObject& object, uint32_t material, PolygonUse use,
                   LoadContext& context) {

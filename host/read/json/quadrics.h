@@ -1,12 +1,22 @@
 #pragma once
 
-#include "read/json/value.h"
+#include <vector>
+
+#include "read/json/object.h"
 #include "scene/scene.h"
 
 namespace calotype {
 
-/// The geometry of quadrics and disks, in world space. Keys that they share with other shapes
-/// ("type", "material") are the caller's. All throw SceneError.
+/// The keys of quadrics and disks that give their geometry, without "transform".
+std::vector<JsonKey> sphereKeys();
+std::vector<JsonKey> cylinderKeys();
+std::vector<JsonKey> coneKeys();
+std::vector<JsonKey> diskKeys();
+
+/// "axis" stands in place of a transform.
+JsonRule axisRule();
+
+/// The geometry in world space, of objects with those keys and "transform". All throw SceneError.
 Sphere readSphere(const JsonObject& object);
 Cylinder readCylinder(const JsonObject& object);
 Cone readCone(const JsonObject& object);

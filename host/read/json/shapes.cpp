@@ -1,37 +1,40 @@
 #include "read/json/shapes.h"
 
-#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
 
 #include "base/names.h"
 #include "read/json/materials.h"
 #include "read/json/mesh.h"
 #include "read/json/polygons.h"
 #include "read/json/quadrics.h"
+#include "read/json/transform.h"
 
 namespace calotype {
 namespace {
 
-const std::array<std::string, 7> kTypes = {"sphere",   "cylinder", "cone", "disk",
-                                           "triangle", "quad",     "mesh"};
 enum Type { kSphere, kCylinder, kCone, kDisk, kTriangle, kQuad, kMesh };
 
-std::vector<std::string> keysOf(Type type) {
-    switch (type) {
-    case kSphere:
-        return {"type", "material", "transform", "center", "radius"};
-    case kCylinder:
-        return {"type", "material", "transform", "center", "radius", "height", "axis"};
-    case kCone:
-        return {"type", "material", "transform", "apex", "height", "slope", "axis"};
-    case kDisk:
-        return {"type", "material", "transform", "center", "normal", "radius"};
-    case kTriangle:
-    case kQuad:
-        return {"type", "material", "transform", "vertices", "uvs"};
-    case kMesh:
-        break;
-    }
-    return {"type", "material", "transform", "file", "materials", "normals", "displacement"};
+JsonObjectType shapeTypeOf(const char* name, const char* description, std::vector<JsonKey> keys,
+                           std::vector<JsonRule> rules = {}) {
+    keys.insert(keys.begin(),
+                JsonKey("material", materialNameType(), "The shape's material.").required());
+    keys.push_back(transformKey());
+    return chosenType(name, description, std::move(keys), std::move(rules));
+}
+
+/// In the order of Type.
+const JsonObjectTypes& shapeTypes() {
+    static const JsonObjectTypes types = {
+        shapeTypeOf("sphere", "A sphere.", sphereKeys()),
+        shapeTypeOf("cylinder", "A cylinder, closed by two caps.", cylinderKeys(), {axisRule()}),
+        shapeTypeOf("cone", "A cone, closed by its base.", coneKeys(), {axisRule()}),
+        shapeTypeOf("disk", "A flat disk.", diskKeys()),
+        shapeTypeOf("triangle", "One triangle.", triangleKeys(PolygonUse::Shape)),
+        shapeTypeOf("quad", "Two triangles.", quadKeys(PolygonUse::Shape)),
+        chosenType("mesh", "The polygons of a model's file.", meshKeys(), {meshMaterialRule()})};
+    return types;
 }
 
 /// Of a shape that is not a "mesh".
@@ -45,9 +48,11 @@ void warnOfDisplacement(const Shape& shape, LoadContext& context) {
 
 } // namespace
 
+JsonType shapeType() { return anyOf(shapeTypes(), "shape"); }
+
 Shape readShape(const JsonValue& value, LoadContext& context) {
-    const auto type = static_cast<Type>(choiceAt(value, "type", kTypes));
-    const JsonObject object(value, keysOf(type));
+    const auto type = static_cast<Type>(readType(value, shapeTypes()));
+    const JsonObject object(value, shapeTypes()[type]);
     Shape shape;
     shape.place = value.where();
     if (type == kMesh) {

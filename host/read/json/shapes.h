@@ -1,10 +1,12 @@
 #pragma once
 
+#include "read/json/object.h"
 #include "read/load_context.h"
 
 namespace calotype {
 
-/// One element of the scene file's "shapes".
+/// An element of the scene file's "shapes".
+JsonType shapeType();
 Shape readShape(const JsonValue& value, LoadContext& context);
 
 } // namespace calotype

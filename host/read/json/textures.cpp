@@ -2,32 +2,61 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
 
 #include "base/names.h"
 #include "read/json/color.h"
 #include "read/texture_file.h"
-#include "scene/uv_limit.h"
 
 namespace calotype {
 namespace {
 
-const std::array<std::string, 2> kTypes = {"image", "checker"};
+/// In the order of TextureWrap.
 const std::array<std::string, 3> kWraps = {"repeat", "clamp", "mirror"};
+/// In the order of TextureFilter.
 const std::array<std::string, 2> kFilters = {"bilinear", "nearest"};
 const std::array<std::string, 2> kColorSpaces = {"srgb", "linear"};
-enum Type { kImage };
+
+JsonKey scaleKey(const char* description) {
+    const JsonType scale = arrayType(numberType(ranges::kTextureScale), 2);
+    return JsonKey("scale", namedType("textureScale", scale), description).orElseJson("[1, 1]");
+}
+
+enum Type { kImage, kChecker };
+
+const JsonObjectTypes& textureTypes() {
+    static const JsonObjectTypes types = {
+        chosenType("image", "An image file. v = 0 is its bottom.",
+                   {JsonKey("file", textType(),
+                            "A file beside the scene file: PNG (8 or 16 bits), JPEG, TGA, BMP or "
+                            "HDR, up to 16384 pixels on a side.")
+                        .required(),
+                    JsonKey("wrap", choiceType(kWraps), "What lies outside [0, 1].")
+                        .orElseJson("\"repeat\""),
+                    JsonKey("filter", choiceType(kFilters), "What lies between texel centres.")
+                        .orElseJson("\"bilinear\""),
+                    JsonKey("color_space", choiceType(kColorSpaces),
+                            "srgb: colours decode images of 8 and 16 bits, and nothing else does; "
+                            "linear prevents it.")
+                        .orElseJson("\"srgb\""),
+                    scaleKey("How often the image repeats along u and v, from 0 to 1.")}),
+        chosenType("checker", "Squares of two colours.",
+                   {JsonKey("colors", arrayType(reflectanceType(), 2),
+                            "The two colours; the first where floor(u sx) + floor(v sy) is even.")
+                        .required(),
+                    scaleKey("The number of squares along u and v, from 0 to 1.")})};
+    return types;
+}
 
 ImageTexture readImage(const JsonObject& object, LoadContext& context) {
     ImageTexture image;
-    if (const auto wrap = object.optional("wrap")) {
-        image.wrap = static_cast<TextureWrap>(wrap->choice(kWraps));
-    }
-    if (const auto filter = object.optional("filter")) {
-        image.filter = static_cast<TextureFilter>(filter->choice(kFilters));
-    }
-    if (const auto space = object.optional("color_space")) {
-        image.decodesColor = space->choice(kColorSpaces) == 0;
-    }
+    image.wrap = static_cast<TextureWrap>(object.choice("wrap", kWraps, 0));
+    image.filter = static_cast<TextureFilter>(object.choice("filter", kFilters, 0));
+    image.decodesColor = object.choice("color_space", kColorSpaces, 0) == 0;
     const JsonValue file = object.required("file");
     image.image = readTextureFile(file.text(), context.directory, file.where(), context).image;
     return image;
@@ -35,28 +64,17 @@ ImageTexture readImage(const JsonObject& object, LoadContext& context) {
 
 CheckerTexture readChecker(const JsonObject& object) {
     const std::vector<JsonValue> colors = object.required("colors").array(2);
-    return {{readReflectance(colors[0]), readReflectance(colors[1])}};
-}
-
-double readScale(const JsonValue& factor) {
-    const double number = factor.positiveNumber();
-    if (!isUv(number)) {
-        factor.fail(kMustBeUv);
-    }
-    return number;
+    return {{readColor(colors[0], ranges::kShare), readColor(colors[1], ranges::kShare)}};
 }
 
 Texture readTexture(const JsonValue& value, const std::string& name, LoadContext& context) {
-    const size_t type = choiceAt(value, "type", kTypes);
-    const JsonObject object(value, type == kImage
-                                       ? std::vector<std::string>{"type", "scale", "file", "wrap",
-                                                                  "filter", "color_space"}
-                                       : std::vector<std::string>{"type", "scale", "colors"});
+    const size_t type = readType(value, textureTypes());
+    const JsonObject object(value, textureTypes()[type]);
     Texture texture;
     texture.name = name;
     if (const auto scale = object.optional("scale")) {
         const std::vector<JsonValue> factors = scale->array(2);
-        texture.scale = {readScale(factors[0]), readScale(factors[1])};
+        texture.scale = {factors[0].number(), factors[1].number()};
     }
     if (type == kImage) {
         ImageTexture image = readImage(object, context);
@@ -72,6 +90,8 @@ Texture readTexture(const JsonValue& value, const std::string& name, LoadContext
 }
 
 } // namespace
+
+JsonType texturesType() { return mapType(anyOf(textureTypes(), "texture")); }
 
 void readTextures(const JsonValue& value, LoadContext& context) {
     if (!value.json().is_object()) {
@@ -91,6 +111,15 @@ uint32_t findTexture(const JsonValue& reference, const LoadContext& context) {
                        suggestion(reference.text(), names));
     }
     return static_cast<uint32_t>(found - names.begin());
+}
+
+uint32_t findImage(const JsonValue& reference, const LoadContext& context) {
+    const uint32_t texture = findTexture(reference, context);
+    if (!std::holds_alternative<ImageTexture>(context.scene.textures[texture].source)) {
+        reference.fail("must name a texture of the type \"image\"; " + inQuotes(reference.text()) +
+                       " is none");
+    }
+    return context.scene.textures[texture].isMissing ? Material::kNoTexture : texture;
 }
 
 } // namespace calotype

@@ -1,13 +1,20 @@
 #pragma once
 
+#include "read/json/object.h"
 #include "read/load_context.h"
 
 namespace calotype {
+
+/// The value of the scene file's "textures".
+JsonType texturesType();
 
 /// The scene file's "textures" into Scene::textures, in the order of their names.
 void readTextures(const JsonValue& value, LoadContext& context);
 
 /// The index of the texture that `reference` names. Throws SceneError if there is none.
 uint32_t findTexture(const JsonValue& reference, const LoadContext& context);
+
+/// The same, of one that must be an image; Material::kNoTexture where its file is missing.
+uint32_t findImage(const JsonValue& reference, const LoadContext& context);
 
 } // namespace calotype

@@ -1,9 +1,32 @@
 #include "read/json/transform.h"
 
+#include <nlohmann/json.hpp>
+
 #include "math/rotation.h"
 
 namespace calotype {
 namespace {
+
+const JsonObjectType& transformType() {
+    static const JsonObjectType type = {
+        {
+            JsonKey("translate", vectorType(), "The last step.")
+                .in("metres")
+                .orElseJson("[0, 0, 0]"),
+            JsonKey("rotate", vectorType(), "Angles about X, then Y, then Z: the second step.")
+                .in("degrees")
+                .orElseJson("[0, 0, 0]"),
+            JsonKey("scale", scaleType(),
+                    "The first step: one factor, or one each for x, y and z. Negative factors "
+                    "mirror.")
+                .orElse(1.0),
+            JsonKey("matrix", matrixType(), "worldFromObject, in place of the three steps."),
+        },
+        {exclude("matrix", "translate"), exclude("matrix", "rotate"), exclude("matrix", "scale")},
+        "worldFromObject: scale, then rotate, then translate; or a matrix. Quadrics and disks "
+        "accept uniform scale only."};
+    return type;
+}
 
 glm::dvec3 readScale(const JsonValue& value) {
     return value.json().is_number() ? glm::dvec3(value.number()) : value.vector();
@@ -18,6 +41,10 @@ AffineTransform readParts(const JsonObject& object) {
 }
 
 } // namespace
+
+JsonKey transformKey() {
+    return {"transform", transformType().asType("transform"), "worldFromObject."};
+}
 
 AffineTransform readMatrix(const JsonValue& value) {
     const std::vector<JsonValue> entries = value.array(16);
@@ -44,11 +71,8 @@ AffineTransform readTransform(const JsonObject& shape) {
     if (!value) {
         return {};
     }
-    const JsonObject object(*value, {"translate", "rotate", "scale", "matrix"});
+    const JsonObject object(*value, transformType());
     if (const auto matrix = object.optional("matrix")) {
-        for (const char* part : {"translate", "rotate", "scale"}) {
-            object.exclude("matrix", part);
-        }
         return readMatrix(*matrix);
     }
     const AffineTransform transform = readParts(object);

@@ -1,9 +1,12 @@
 #pragma once
 
 #include "math/affine_transform.h"
-#include "read/json/value.h"
+#include "read/json/object.h"
 
 namespace calotype {
+
+/// The key "transform" of shapes and lights.
+JsonKey transformKey();
 
 /// worldFromObject of a shape's or light's "transform" (the identity if it has none): translate,
 /// rotate (degrees) and scale as T Rz Ry Rx S, or "matrix", 16 numbers, row-major. Throws

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
 
-#include "base/check.h"
 #include "base/error.h"
 #include "base/names.h"
 #include "read/json/document.h"
@@ -50,24 +49,10 @@ double JsonValue::number() const {
     return json_->get<double>();
 }
 
-double JsonValue::positiveNumber() const {
+double JsonValue::numberIn(const Range& range) const {
     const double value = number();
-    if (!(value > 0.0)) {
-        failType("greater than 0");
-    }
-    return value;
-}
-
-double JsonValue::numberIn(double low, double high) const {
-    const double value = number();
-    if (!(value >= low && value <= high)) {
-        std::ostringstream range;
-        if (std::isinf(high)) {
-            range << low << " or greater";
-        } else {
-            range << "in [" << low << ", " << high << "]";
-        }
-        failType(range.str());
+    if (!range.contains(value)) {
+        failType(toText(range));
     }
     return value;
 }
@@ -86,10 +71,11 @@ const std::string& JsonValue::text() const {
     return json_->get_ref<const std::string&>();
 }
 
-uint32_t JsonValue::wholeNumber(uint32_t low, uint32_t high) const {
+uint32_t JsonValue::wholeNumber(const ranges::WholeRange& range) const {
     const double value = json_->is_number() ? json_->get<double>() : std::nan("");
-    if (!(value >= low && value <= high && value == std::floor(value))) {
-        failType("a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+    if (!(value >= range.low && value <= range.high && value == std::floor(value))) {
+        failType("a whole number from " + std::to_string(range.low) + " to " +
+                 std::to_string(range.high));
     }
     return static_cast<uint32_t>(value);
 }
@@ -139,79 +125,6 @@ glm::dvec3 JsonValue::direction() const {
     }
     // Divided first, so that no length overflows or underflows.
     return glm::normalize(v / largest);
-}
-
-JsonObject::JsonObject(const JsonValue& value, std::vector<std::string> knownKeys)
-    : value_(value), knownKeys_(std::move(knownKeys)) {
-    if (!value_.json().is_object()) {
-        value_.fail("must be an object, not " + describe(value_.json()));
-    }
-    for (const auto& [key, unused] : value_.json().items()) {
-        if (std::find(knownKeys_.begin(), knownKeys_.end(), key) == knownKeys_.end()) {
-            value_.child(key).fail("unknown key " + inQuotes(key) + suggestion(key, knownKeys_));
-        }
-    }
-}
-
-void JsonObject::checkKnown(const std::string& key) const {
-    CALOTYPE_CHECK_EQ(std::count(knownKeys_.begin(), knownKeys_.end(), key), 1);
-}
-
-bool JsonObject::has(const std::string& key) const {
-    checkKnown(key);
-    return value_.json().contains(key);
-}
-
-JsonValue JsonObject::required(const std::string& key) const {
-    if (!has(key)) {
-        value_.fail("lacks " + inQuotes(key));
-    }
-    return value_.child(key);
-}
-
-std::optional<JsonValue> JsonObject::optional(const std::string& key) const {
-    return has(key) ? std::optional(value_.child(key)) : std::nullopt;
-}
-
-double JsonObject::number(const std::string& key, double otherwise) const {
-    return has(key) ? value_.child(key).number() : otherwise;
-}
-
-bool JsonObject::boolean(const std::string& key, bool otherwise) const {
-    return has(key) ? value_.child(key).boolean() : otherwise;
-}
-
-glm::dvec3 JsonObject::vector(const std::string& key, const glm::dvec3& otherwise) const {
-    return has(key) ? value_.child(key).vector() : otherwise;
-}
-
-uint32_t JsonObject::wholeNumber(const std::string& key, uint32_t low, uint32_t high,
-                                 uint32_t otherwise) const {
-    return has(key) ? value_.child(key).wholeNumber(low, high) : otherwise;
-}
-
-void JsonObject::exclude(const std::string& a, const std::string& b) const {
-    if (has(a) && has(b)) {
-        value_.child(b).fail(inQuotes(a) + " and " + inQuotes(b) +
-                             " exclude each other; keep one of them");
-    }
-}
-
-size_t choiceAt(const JsonValue& object, const std::string& key,
-                std::span<const std::string> choices) {
-    if (!object.json().is_object()) {
-        object.fail("must be an object, not " + describe(object.json()));
-    }
-    if (!object.json().contains(key)) {
-        std::vector<std::string> present;
-        for (const auto& [name, unused] : object.json().items()) {
-            present.push_back(name);
-        }
-        const std::string nearest = nearestName(key, present);
-        object.fail("lacks " + inQuotes(key) +
-                    (nearest.empty() ? "" : "; is " + inQuotes(nearest) + " a misspelling of it?"));
-    }
-    return object.child(key).choice(choices);
 }
 
 } // namespace calotype

@@ -2,20 +2,21 @@
 
 #include <cmath>
 #include <filesystem>
+#include <memory>
 #include <numbers>
 
 #include <glm/geometric.hpp>
 
 #include "base/error.h"
 #include "base/names.h"
-#include "base/read_file.h"
 #include "check/excess_energy.h"
 #include "check/radiance_range.h"
 #include "math/bounds.h"
 #include "math/rotation.h"
 #include "read/frame_camera.h"
-#include "read/json/shapes.h"
 #include "read/load_context.h"
+#include "read/obj/mtl_library.h"
+#include "read/obj/obj_mesh.h"
 
 namespace calotype {
 namespace {
@@ -33,7 +34,7 @@ constexpr uint32_t kMaxBounces = 8; ///< through glass and out again
 
 /// In units of the model's radius:
 constexpr double kLightDistance = 5.0;
-/// Lest the floor coincide with a model's underside.
+/// Between the floor and a model's lowest point, so that the two are not in one plane.
 constexpr double kFloorGap = 1e-3;
 /// The picture's upper edge looks 5 degrees down, so that even a very wide one sees no floor beyond
 /// so many times the camera's distance.
@@ -83,9 +84,13 @@ ModelExtent extentOf(const Mesh& mesh, const std::string& path) {
 }
 
 Shape readModel(const std::string& path, LoadContext& context) {
-    const nlohmann::json mesh = {{"type", "mesh"},
-                                 {"file", std::filesystem::path(path).filename().string()}};
-    return readShape(JsonValue(mesh, path), context);
+    const std::shared_ptr<const ObjFile> obj = readObj(path, path, context);
+    const ObjMeshInput input{.path = path,
+                             .where = path,
+                             .materials = materialsFromMtl(*obj, path, context),
+                             .displacements = {},
+                             .worldFromObject = {}};
+    return {.geometry = buildObjMesh(*obj, input, context), .place = path};
 }
 
 Camera placeCamera(const Mesh& mesh, const ModelExtent& extent) {
@@ -133,15 +138,12 @@ void addLight(const LightPlan& plan, const ModelExtent& extent, LoadContext& con
 
 } // namespace
 
-Scene loadModelScene(const std::string& path, const LoadOptions& options) {
+SceneAndNotes readModelScene(const std::string& path, const LoadOptions& options) {
     if (!options.overrides.empty()) {
         throw SceneError("--set " + options.overrides.front().pointer,
                          inQuotes(path) +
                              " is a model, not a scene file, so there are no values to "
                              "set; name the model in a scene as a \"mesh\"");
-    }
-    if (!isReadableFile(path)) {
-        readFile(path, path); // says why not
     }
     LoadContext context(options, path);
     context.toleratesUndefinedMaterials = true;

@@ -1,6 +1,8 @@
 #pragma once
 
-#include "read/load.h"
+#include <string>
+
+#include "read/reader.h"
 
 namespace calotype {
 
@@ -9,6 +11,6 @@ namespace calotype {
 /// it is in the picture, be that square or wider. All sizes follow the model's, so that the picture
 /// does not depend on them. Materials that no MTL file defines are grey, with a warning. Throws
 /// SceneError, also for overrides, which have nothing to change here.
-Scene loadModelScene(const std::string& path, const LoadOptions& options);
+SceneAndNotes readModelScene(const std::string& path, const LoadOptions& options);
 
 } // namespace calotype

@@ -6,6 +6,8 @@
 
 #include <glm/common.hpp>
 
+#include "scene/ranges.h"
+
 namespace calotype {
 namespace {
 
@@ -14,7 +16,6 @@ constexpr double kMetalRoughness = 0.5;
 constexpr double kBlack = 0.05;
 constexpr double kBright = 0.5;
 constexpr double kGlassIor = 1.5;
-constexpr double kLargestIor = 100.0;
 
 double largest(const glm::dvec3& color) { return std::max({color.x, color.y, color.z}); }
 
@@ -50,13 +51,13 @@ private:
 
     void note(const std::string& remark) { notes_.add(remark, name_); }
 
-    double clamped(const char* statement, double value, double low, double high) {
-        if (value < low) {
+    double clamped(const char* statement, double value, const Range& range) {
+        if (value < range.low) {
             note(std::string(statement) + " was raised to its least value");
-        } else if (value > high) {
+        } else if (value > range.high) {
             note(std::string(statement) + " was lowered to its greatest value");
         }
-        return std::clamp(value, low, high);
+        return std::clamp(value, range.low, range.high);
     }
 
     glm::dvec3 atMostOne(const char* statement, const glm::dvec3& color) {
@@ -100,14 +101,14 @@ private:
 
     double opacity() {
         if (mtl_.dissolve) {
-            return clamped("d", *mtl_.dissolve, 0.0, 1.0);
+            return clamped("d", *mtl_.dissolve, ranges::kShare);
         }
         if (mtl_.transparency == 1.0) {
             note("Tr 1 without d, which would be invisible and is often written for opaque, was "
                  "taken for opaque");
             return 1.0;
         }
-        return 1.0 - clamped("Tr", mtl_.transparency.value_or(0.0), 0.0, 1.0);
+        return 1.0 - clamped("Tr", mtl_.transparency.value_or(0.0), ranges::kShare);
     }
 
     bool isIllumination(std::initializer_list<int> models) const {
@@ -135,10 +136,10 @@ private:
     }
 
     void chooseType() {
-        const double exponent =
-            clamped("Ns", mtl_.exponent.value_or(0.0), 0.0, Material::kHighestExponent);
+        const double exponent = clamped("Ns", mtl_.exponent.value_or(0.0),
+                                        closedRange(0.0, Material::kHighestExponent));
         if (mtl_.metallic.value_or(0.0) >= kMetallic) {
-            clamped("Pm", *mtl_.metallic, 0.0, 1.0);
+            clamped("Pm", *mtl_.metallic, ranges::kShare);
             material_.type = MaterialType::Metal;
             readRoughness(exponent);
         } else if (isGlass()) {
@@ -165,7 +166,7 @@ private:
             note("Ni of glass is not given, or 1, or not positive, and was taken for 1.5");
             material_.ior = kGlassIor;
         }
-        material_.ior = clamped("Ni", material_.ior, 1.0 / kLargestIor, kLargestIor);
+        material_.ior = clamped("Ni", material_.ior, ranges::kIndexOfRefraction);
     }
 
     void readRoughness(double exponent) {
@@ -173,7 +174,7 @@ private:
             material_.roughnessTexture = maps_.scalar(*mtl_.roughnessMap, mtl_.directory);
         }
         if (mtl_.roughness) {
-            material_.roughness = clamped("Pr", *mtl_.roughness, 0.0, 1.0);
+            material_.roughness = clamped("Pr", *mtl_.roughness, ranges::kShare);
         } else if (material_.roughnessTexture != Material::kNoTexture) {
             material_.roughness = 1.0;
         } else if (exponent > 0.0) {

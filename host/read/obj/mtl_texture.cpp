@@ -5,7 +5,7 @@
 #include "base/error.h"
 #include "base/names.h"
 #include "base/text_cursor.h"
-#include "scene/uv_limit.h"
+#include "scene/ranges.h"
 
 namespace calotype {
 namespace {
@@ -177,8 +177,10 @@ std::string_view readTrailingOptions(MtlTexture& texture, std::string_view name)
 }
 
 void checkRange(std::string_view option, const glm::dvec2& value, const std::string& place) {
-    if (!isUv(value.x) || !isUv(value.y)) {
-        throw SceneError(place, "the numbers of the option " + inQuotes(option) + " " + kMustBeUv);
+    if (!ranges::kTextureCoordinate.contains(value.x) ||
+        !ranges::kTextureCoordinate.contains(value.y)) {
+        throw SceneError(place, "the numbers of the option " + inQuotes(option) + " must be " +
+                                    toText(ranges::kTextureCoordinate));
     }
 }
 

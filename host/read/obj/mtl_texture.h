@@ -26,7 +26,8 @@ struct MtlTexture {
 
 /// Reads what follows a texture statement's keyword: options, then a file name, which may contain
 /// blanks, then possibly options again. nullopt where no name is given. Throws SceneError at
-/// `place` for an option whose argument is missing or garbage, and for -s and -o beyond kLargestUv.
+/// `place` for an option whose argument is missing or garbage, and for -s and -o outside
+/// ranges::kTextureCoordinate.
 std::optional<MtlTexture> parseMtlTexture(std::string_view text, const std::string& place);
 
 } // namespace calotype

@@ -11,7 +11,7 @@
 #include "base/text_cursor.h"
 #include "read/obj/lines.h"
 #include "read/obj/tinyobj_text.h"
-#include "scene/uv_limit.h"
+#include "scene/ranges.h"
 
 namespace calotype {
 namespace {
@@ -102,7 +102,8 @@ private:
             }
             if (numbers < kUsedNumbers[kind]) {
                 finite = finite && std::isfinite(*value);
-                inRange = inRange && (kind != kTexcoord || isUv(*value));
+                inRange =
+                    inRange && (kind != kTexcoord || ranges::kTextureCoordinate.contains(*value));
             }
             ++numbers;
         }
@@ -119,7 +120,9 @@ private:
             complain(kind,
                      [&] { return std::string("this ") + kKindNames[kind] + " is not finite"; });
         } else if (!inRange) {
-            complain(kind, [] { return std::string("a texture coordinate ") + kMustBeUv; });
+            complain(kind, [] {
+                return "a texture coordinate must be " + toText(ranges::kTextureCoordinate);
+            });
         }
     }
 

@@ -34,7 +34,7 @@ struct ObjOutline {
 /// Finds what tinyobjloader passes over in silence. Throws SceneError at "PATH:LINE" for faces
 /// with fewer than three corners or malformed ones, for indices of 0 or out of range, and for
 /// vertices that a face uses but whose numbers are missing, garbage, (but for normals) not finite
-/// or (of texture coordinates) beyond kLargestUv.
+/// or (of texture coordinates) outside ranges::kTextureCoordinate.
 ObjOutline checkObj(std::string_view text, const std::string& path);
 
 } // namespace calotype

@@ -1,12 +1,14 @@
 #pragma once
 
-#include "read/json/value.h"
+#include "read/json/object.h"
 #include "scene/scene.h"
 
 namespace calotype {
 
-/// The scene file's "camera", "film" and "render". All throw SceneError.
-Camera readCamera(const JsonValue& value);
+/// The values of the scene file's "film" and "render".
+JsonType filmType();
+JsonType renderType();
+/// Both throw SceneError.
 FilmSettings readFilm(const JsonValue& value);
 RenderDefaults readRender(const JsonValue& value);
 

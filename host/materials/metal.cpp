@@ -1,0 +1,26 @@
+#include "materials/metal.h"
+
+#include "materials/ggx.h"
+#include "materials/parameters.h"
+
+namespace calotype {
+namespace {
+
+void pack(const Material& material, shared::Material& packed) {
+    packed.lobes = ggxLobe(material) | shared::kColorIsF0;
+}
+
+} // namespace
+
+MaterialKind metalKind() {
+    return {"metal",
+            "A GGX lobe with F0 = color and alpha = roughness^2.",
+            {texturedColor("The share of light that is reflected at normal incidence."),
+             roughnessParameter(), maskingParameter()},
+            true,
+            pack,
+            nullptr,
+            nullptr};
+}
+
+} // namespace calotype

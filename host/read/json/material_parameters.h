@@ -1,0 +1,16 @@
+#pragma once
+
+#include "materials/material_kind.h"
+#include "read/json/object.h"
+#include "read/load_context.h"
+
+namespace calotype {
+
+/// The key of a material's parameter.
+JsonKey keyOf(const MaterialParameter& parameter);
+
+/// Sets what the parameter says of `material`, from `object` or to its default.
+void readParameter(const MaterialParameter& parameter, const JsonObject& object,
+                   const LoadContext& context, Material& material);
+
+} // namespace calotype

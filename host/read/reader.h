@@ -1,0 +1,30 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "base/warnings.h"
+#include "read/load.h"
+#include "scene/scene.h"
+
+namespace calotype {
+
+/// What a reader makes of a file: a scene that is not validated yet, and notes about the file.
+struct SceneAndNotes {
+    Scene scene;
+    Warnings notes;
+};
+
+/// One kind of file that holds a scene.
+struct SceneReader {
+    std::string_view extension; ///< in lower case, such as ".obj"
+    /// Throws SceneError with the place of the first mistake.
+    SceneAndNotes (*read)(const std::string& path, const LoadOptions& options);
+};
+
+/// The list of readers. A new file format is a folder in read/ and a row here. Files of any other
+/// extension are read as scene files (JSON).
+std::span<const SceneReader> sceneReaders();
+
+} // namespace calotype

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "scene/scene.h"
+
+namespace calotype {
+
+/// Where a shape of the scene stands, for messages: its place, or where it has none (as in scenes
+/// made in memory) "SCENE: /shapes/INDEX".
+std::string placeOfShape(const Scene& scene, size_t index);
+std::string placeOf(const Scene& scene, const Shape& shape);
+
+/// The same for a material: its place, or "SCENE: material "NAME"".
+std::string placeOfMaterial(const Scene& scene, size_t index);
+
+/// "SCENE: POINTER", of what a scene has one of, such as "/camera/fov".
+std::string placeOf(const Scene& scene, const std::string& pointer);
+
+} // namespace calotype
