@@ -1,11 +1,16 @@
 #include "reference/bsdf.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "reference/blinn_phong_lobe.h"
+#include "reference/dielectric_lobe.h"
+#include "reference/diffuse_lobe.h"
+#include "reference/ggx_lobe.h"
 #include "reference/shading_normal.h"
 #include "reference/warp.h"
 #include "scene/texture_lookup.h"
@@ -13,20 +18,11 @@
 namespace calotype::reference {
 namespace {
 
-double greatest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
-
 double scalarAt(double factor, uint32_t texture, const std::vector<Texture>& textures,
                 const glm::dvec2& uv) {
     if (texture == Material::kNoTexture)
         return factor;
     return factor * std::clamp(lookUp(textures[texture], uv, false).x, 0.0, 1.0);
-}
-
-/// Lobes are chosen by what they reflect: kd / (kd + ks), and the like.
-double probabilityOfDiffuse(const glm::dvec3& diffuse, const glm::dvec3& specular) {
-    const double d = greatest(diffuse);
-    const double s = greatest(specular);
-    return d + s > 0.0 ? d / (d + s) : 1.0;
 }
 
 } // namespace
@@ -63,97 +59,105 @@ Bsdf::Bsdf(const Material& material, const std::vector<Texture>& textures, const
     const glm::dvec3 ns = side * shadingNormal(material, textures, surface);
     worldFromShading_ = frameAbout(consistentNormal(wo, ng_, ns));
     wo_ = wo * worldFromShading_;
+    addLobes(material, textures, surface.uv, isOutside);
+    shareOut();
+}
 
-    const glm::dvec3 color = colorAt(material, textures, surface.uv);
+void Bsdf::addLobes(const Material& material, const std::vector<Texture>& textures,
+                    const glm::dvec2& uv, bool isOutside) {
+    const glm::dvec3 color = colorAt(material, textures, uv);
     const auto scalar = [&](double factor, uint32_t texture) {
-        return scalarAt(factor, texture, textures, surface.uv);
+        return scalarAt(factor, texture, textures, uv);
     };
     switch (material.type) {
     case MaterialType::Diffuse:
-        diffuse_ = color;
+        add<DiffuseLobe>(color);
         break;
     case MaterialType::Metal:
-        hasGgx_ = true;
-        ggx_ = {color, scalar(material.roughness, material.roughnessTexture), material.masking};
-        diffuseProbability_ = probabilityOfDiffuse(glm::dvec3(0.0), fresnelSchlick(ggx_.f0, wo_.z));
+        add<GgxLobe>(color, scalar(material.roughness, material.roughnessTexture),
+                     material.masking);
         break;
     case MaterialType::Nonmetal: {
-        hasGgx_ = true;
         const double f0 = scalar(material.specular, material.specularTexture);
-        ggx_ = {glm::dvec3(f0), scalar(material.roughness, material.roughnessTexture),
-                material.masking};
-        diffuse_ = (1.0 - f0) * color;
-        diffuseProbability_ = probabilityOfDiffuse(diffuse_, fresnelSchlick(ggx_.f0, wo_.z));
+        add<DiffuseLobe>((1.0 - f0) * color);
+        add<GgxLobe>(glm::dvec3(f0), scalar(material.roughness, material.roughnessTexture),
+                     material.masking);
         break;
     }
     case MaterialType::BlinnPhong:
-        hasBlinnPhong_ = true;
-        blinnPhong_ = {material.ks, material.exponent, material.normalize};
-        diffuse_ = material.kd * color;
-        diffuseProbability_ = probabilityOfDiffuse(diffuse_, glm::dvec3(material.ks));
+        add<DiffuseLobe>(material.kd * color);
+        add<BlinnPhongLobe>(material.ks, material.exponent, material.normalize);
         break;
     case MaterialType::Dielectric:
-        isDielectric_ = true;
-        tint_ = color;
-        eta_ =
-            isOutside ? material.ior / material.exteriorIor : material.exteriorIor / material.ior;
+        add<DielectricLobe>(color, isOutside ? material.ior / material.exteriorIor
+                                             : material.exteriorIor / material.ior);
         break;
+    }
+}
+
+/// Lobes are chosen by what they scatter: kd / (kd + ks), and the like.
+void Bsdf::shareOut() {
+    double total = 0.0;
+    for (WeightedLobe& part : lobes_) {
+        part.start = total;
+        total += part.lobe->albedo(wo_);
+        part.end = total;
+    }
+    for (WeightedLobe& part : lobes_) {
+        part.start = total > 0.0 ? part.start / total : 1.0;
+        part.end = total > 0.0 ? part.end / total : 1.0;
     }
 }
 
 bool Bsdf::isSpecular() const {
-    return isDielectric_ || (isMirror() && diffuseProbability_ == 0.0);
+    return std::ranges::none_of(lobes_, [](const WeightedLobe& part) {
+        return part.chance() > 0.0 && !part.lobe->isSpecular();
+    });
+}
+
+bool Bsdf::transmits() const {
+    return std::ranges::any_of(lobes_,
+                               [](const WeightedLobe& part) { return part.lobe->transmits(); });
+}
+
+/// Reflected light leaves above the shaded and the true surface, transmitted light below both.
+bool Bsdf::isScattered(const glm::dvec3& wi, const glm::dvec3& wiWorld) const {
+    if (wo_.z <= 0.0)
+        return false;
+    return wi.z > 0.0 ? glm::dot(wiWorld, horizon_) > 0.0
+                      : wi.z < 0.0 && glm::dot(wiWorld, ng_) < 0.0;
 }
 
 Bsdf::Value Bsdf::evaluate(const glm::dvec3& wiWorld) const {
     const glm::dvec3 wi = wiWorld * worldFromShading_;
-    if (isDielectric_ || wo_.z <= 0.0 || wi.z <= 0.0 || glm::dot(wiWorld, horizon_) <= 0.0)
+    if (!isScattered(wi, wiWorld))
         return {};
-    glm::dvec3 f = diffuse_ / kPi;
-    double pdf = diffuseProbability_ * wi.z / kPi;
-    if (hasGgx_ && !isMirror()) {
-        f += ggx_.f(wo_, wi);
-        pdf += (1.0 - diffuseProbability_) * ggx_.pdf(wo_, wi);
+    glm::dvec3 f(0.0);
+    double pdf = 0.0;
+    for (const WeightedLobe& part : lobes_) {
+        f += part.lobe->f(wo_, wi);
+        pdf += part.chance() * part.lobe->pdf(wo_, wi);
     }
-    if (hasBlinnPhong_) {
-        f += blinnPhong_.f(wo_, wi);
-        pdf += (1.0 - diffuseProbability_) * blinnPhong_.pdf(wo_, wi);
-    }
-    return {f * wi.z, pdf};
-}
-
-Bsdf::Sample Bsdf::sampleDielectric(double u) const {
-    const Boundary boundary = boundaryAt(wo_.z, eta_);
-    constexpr double kCertain = std::numeric_limits<double>::infinity();
-    if (u < boundary.reflectance)
-        return {ontoSideOf(ng_, toWorld({-wo_.x, -wo_.y, wo_.z})), glm::dvec3(1.0), kCertain,
-                false};
-    const glm::dvec3 refracted(-wo_.x / eta_, -wo_.y / eta_, -boundary.cosThetaT);
-    // Radiance beyond the boundary is spread over another solid angle.
-    return {ontoSideOf(-ng_, toWorld(refracted)), tint_ / (eta_ * eta_), kCertain, true};
+    return {f * std::abs(wi.z), pdf};
 }
 
 Bsdf::Sample Bsdf::sample(const glm::dvec3& u) const {
-    if (isDielectric_)
-        return sampleDielectric(u.z);
-    const glm::dvec2 uLobe(u.x, u.y);
-    glm::dvec3 wi;
-    if (u.z < diffuseProbability_) {
-        wi = warpToCosineHemisphere(uLobe);
-    } else if (isMirror()) {
-        const glm::dvec3 mirrored = toWorld({-wo_.x, -wo_.y, wo_.z});
-        return {ontoSideOf(ng_, mirrored), ggx_.mirrorWeight(wo_.z) / (1.0 - diffuseProbability_),
-                std::numeric_limits<double>::infinity(), false};
-    } else {
-        const glm::dvec3 h =
-            hasGgx_ ? ggx_.sampleHalfVector(wo_, uLobe) : blinnPhong_.sampleHalfVector(uLobe);
-        wi = glm::reflect(-wo_, h);
-    }
-    const glm::dvec3 wiWorld = toWorld(wi);
-    const Value mixture = evaluate(wiWorld);
+    const auto next =
+        std::ranges::find_if(lobes_, [&](const WeightedLobe& part) { return u.z < part.start; });
+    if (next == lobes_.begin())
+        return {};
+    const WeightedLobe& chosen = *std::prev(next);
+    const double place = (u.z - chosen.start) / chosen.chance();
+    const Lobe::Sample scattered = chosen.lobe->sample(wo_, {u.x, u.y, place});
+    const glm::dvec3 wi = worldFromShading_ * scattered.wi;
+    const bool crosses = scattered.wi.z < 0.0;
+    if (scattered.isSpecular)
+        return {ontoSideOf(crosses ? -ng_ : ng_, wi), scattered.specularWeight / chosen.chance(),
+                std::numeric_limits<double>::infinity(), crosses, scattered.eta};
+    const Value mixture = evaluate(wi);
     if (mixture.pdf <= 0.0)
         return {};
-    return {wiWorld, mixture.value / mixture.pdf, mixture.pdf, false};
+    return {wi, mixture.value / mixture.pdf, mixture.pdf, crosses, scattered.eta};
 }
 
 } // namespace calotype::reference

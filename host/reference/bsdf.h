@@ -1,16 +1,22 @@
 #pragma once
 
+#include <memory>
+#include <utility>
+#include <vector>
+
 #include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "reference/lobes.h"
+#include "reference/lobe.h"
 #include "reference/surface.h"
 #include "scene/scene.h"
 
 namespace calotype::reference {
 
-/// A material at a point of a surface, its textures looked up, seen from one direction. Directions
-/// are unit vectors in the world, away from the surface; densities are per solid angle.
+/// A material at a point of a surface, its textures looked up, seen from one direction: a mixture
+/// of lobes. Directions are unit vectors in the world, away from the surface; densities are per
+/// solid angle.
 class Bsdf {
 public:
     struct Value {
@@ -21,13 +27,10 @@ public:
     struct Sample {
         glm::dvec3 wi{0.0};
         glm::dvec3 weight{0.0}; ///< f |cos| / pdf; zero where nothing is scattered
-        double pdf = 0.0;       ///< infinite for a direction that is certain
+        double pdf = 0.0;       ///< infinite for a specular direction
         bool crosses = false;   ///< wi goes to the far side
+        double eta = 1.0;       ///< index of refraction on wi's side over that on the viewer's
     };
-
-    /// Below this alpha (no unit: the tangent of a lobe's half width), GGX is a mirror: the
-    /// threshold that the README documents.
-    static constexpr double kMirrorAlpha = 1e-4;
 
     Bsdf(const Material& material, const std::vector<Texture>& textures, const Surface& surface,
          const glm::dvec3& wo);
@@ -35,11 +38,11 @@ public:
     /// The geometric normal on the viewer's side.
     const glm::dvec3& ng() const { return ng_; }
 
-    /// Of a dielectric: index of refraction on the far side over that on the viewer's.
-    double eta() const { return eta_; }
-
-    /// True where light comes from one or two certain directions only.
+    /// True where light comes from certain directions only.
     bool isSpecular() const;
+
+    /// True where light samples from the far side count: some lobe has a density there.
+    bool transmits() const;
 
     /// Specular light has no value at any direction.
     Value evaluate(const glm::dvec3& wi) const;
@@ -48,19 +51,25 @@ public:
     Sample sample(const glm::dvec3& u) const;
 
 private:
-    bool isMirror() const { return hasGgx_ && ggx_.alpha() < kMirrorAlpha; }
-    glm::dvec3 toWorld(const glm::dvec3& w) const { return worldFromShading_ * w; }
-    Sample sampleDielectric(double u) const;
+    struct WeightedLobe {
+        std::unique_ptr<Lobe> lobe;
+        double start = 0.0; ///< of the random numbers that choose the lobe
+        double end = 0.0;
 
-    bool isDielectric_ = false;
-    bool hasGgx_ = false;
-    bool hasBlinnPhong_ = false;
-    glm::dvec3 diffuse_{0.0}; ///< reflectance of the diffuse lobe
-    double diffuseProbability_ = 1.0;
-    Ggx ggx_;
-    BlinnPhong blinnPhong_;
-    glm::dvec3 tint_{1.0};
-    double eta_ = 1.0; ///< of the far side over the viewer's
+        double chance() const { return end - start; }
+    };
+
+    template <typename Kind, typename... Arguments>
+    void add(Arguments&&... arguments) {
+        lobes_.push_back({std::make_unique<Kind>(std::forward<Arguments>(arguments)...)});
+    }
+
+    void addLobes(const Material& material, const std::vector<Texture>& textures,
+                  const glm::dvec2& uv, bool isOutside);
+    void shareOut();
+    bool isScattered(const glm::dvec3& wi, const glm::dvec3& wiWorld) const;
+
+    std::vector<WeightedLobe> lobes_;
     glm::dvec3 ng_;
     glm::dvec3 horizon_; ///< on the viewer's side; nothing is lit from below its plane
     glm::dmat3 worldFromShading_;

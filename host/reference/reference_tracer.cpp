@@ -34,6 +34,12 @@ glm::dvec3 leave(const Surface& surface, const glm::dvec3& w) {
     return offsetFrom(surface.position, side * surface.ng);
 }
 
+/// Points off a surface from which light goes on. The viewer's side starts from the smooth surface.
+struct Departure {
+    glm::dvec3 viewerSide;
+    glm::dvec3 farSide;
+};
+
 } // namespace
 
 /// One path, event by event.
@@ -122,17 +128,17 @@ private:
     bool scatter(const Surface& surface) {
         const Material& material = tracer_.scene_.materials[surface.material];
         const Bsdf bsdf(material, tracer_.scene_.textures, surface, -ray_.direction);
-        const glm::dvec3 origin = offsetFrom(surface.position + surface.toSmooth, bsdf.ng());
+        const Departure from{offsetFrom(surface.position + surface.toSmooth, bsdf.ng()),
+                             offsetFrom(surface.position, -bsdf.ng())};
         if (!tracer_.lights_.empty() && !bsdf.isSpecular())
-            addLight(throughput_ * directLight(surface, bsdf, origin), bounce_ + 1);
+            addLight(throughput_ * directLight(surface, bsdf, from), bounce_ + 1);
         const glm::dvec4 u = bounceNumbers(id_, bounce_, BounceDimension::Bsdf);
         const Bsdf::Sample scattered = bsdf.sample(glm::dvec3(u));
         throughput_ *= scattered.weight;
-        vertex_ = scattered.crosses ? offsetFrom(surface.position, -bsdf.ng()) : origin;
+        vertex_ = scattered.crosses ? from.farSide : from.viewerSide;
         ray_ = {vertex_, glm::normalize(scattered.wi)}; // or roundings add up, bounce by bounce
         bsdfPdf_ = scattered.pdf;
-        if (scattered.crosses)
-            radianceScale_ *= bsdf.eta() * bsdf.eta();
+        radianceScale_ *= scattered.eta * scattered.eta;
         ++bounce_;
         return survives(u.w);
     }
@@ -149,39 +155,47 @@ private:
         return greatest(throughput_) > 0.0;
     }
 
-    /// Whether all of the surface's own primitive lies in or below its plane there, as it does but
-    /// within a closed quadric.
-    bool isConvexTowards(const Surface& surface, const glm::dvec3& viewerSide) const {
+    /// Whether all of the surface's own primitive lies in or below its plane there, seen from the
+    /// side of the normal `outward`: true but for the inside of a closed quadric.
+    bool isConvexTowards(const Surface& surface, const glm::dvec3& outward) const {
         const PrimitiveName name = tracer_.geometry_.primitive(surface.primitive);
         const auto& shape = tracer_.scene_.shapes[name.shape].geometry;
         const bool isFlat =
             std::holds_alternative<Mesh>(shape) || std::holds_alternative<Disk>(shape);
-        return isFlat || glm::dot(viewerSide, surface.ng) > 0.0;
+        return isFlat || glm::dot(outward, surface.ng) > 0.0;
     }
 
     /// Light from one point of the light that is chosen, or of each, scattered towards the viewer.
-    glm::dvec3 directLight(const Surface& surface, const Bsdf& bsdf, const glm::dvec3& origin) {
+    glm::dvec3 directLight(const Surface& surface, const Bsdf& bsdf, const Departure& from) {
         if (tracer_.scene_.lightChoice != LightChoice::All) {
             const glm::dvec4 u = bounceNumbers(id_, bounce_, BounceDimension::Light);
             const auto [light, place] = tracer_.lights_.choose(glm::dvec2(u.x, u.z));
-            return lightFrom(light, surface, bsdf, origin, glm::dvec2(place, u.y));
+            return lightFrom(light, surface, bsdf, from, glm::dvec2(place, u.y));
         }
         glm::dvec3 sum(0.0);
         uint32_t number = 0;
         for (const Light& light : tracer_.lights_.all())
-            sum += lightFrom(light, surface, bsdf, origin,
+            sum += lightFrom(light, surface, bsdf, from,
                              glm::dvec2(lightNumbers(id_, bounce_, number++)));
         return sum;
     }
 
+    /// Looks for the light from the viewer's side, or from the far side if it lies there and the
+    /// material lets it through.
     glm::dvec3 lightFrom(const Light& light, const Surface& surface, const Bsdf& bsdf,
-                         const glm::dvec3& origin, const glm::dvec2& u) {
-        if (light.primitive == surface.primitive && isConvexTowards(surface, bsdf.ng()))
+                         const Departure& from, const glm::dvec2& u) {
+        glm::dvec3 outward = bsdf.ng();
+        LightSample point = tracer_.lights_.sample(light, from.viewerSide, u);
+        Ray ray = rayTowards(light, point, from.viewerSide);
+        if (bsdf.transmits() && glm::dot(ray.direction, outward) < 0.0) {
+            outward = -outward;
+            point = tracer_.lights_.sample(light, from.farSide, u);
+            ray = rayTowards(light, point, from.farSide);
+        }
+        if (light.primitive == surface.primitive && isConvexTowards(surface, outward))
             return glm::dvec3(0.0);
-        const LightSample point = tracer_.lights_.sample(light, origin, u);
         if (point.pdf <= 0.0)
             return glm::dvec3(0.0);
-        const Ray ray = rayTowards(light, point, origin);
         if (ray.length == 0.0) // where a light touches the surface there is nothing between
             return glm::dvec3(0.0);
         const Bsdf::Value scattered = bsdf.evaluate(ray.direction);

@@ -1,7 +1,7 @@
-// The specular lobe of Blinn-Phong with a half vector at angle a from the normal:
-// f = ks (n + 2) / (2 pi) cos^n a (report eq. 1.24), drawn by theta = acos u^(1/(n+1)) (eq. 1.25),
-// whose density of half vectors (n + 1) / (2 pi) cos^n a (eq. 1.26) times the Jacobian 1 / (4 wo.h)
-// is that of directions.
+// The specular lobe of Blinn-Phong around the half vector (docs/models.md, "Blinn-Phong"): with h
+// at the angle a from the normal, f = ks (n + 2) / (2 pi) cos^n a. Half vectors are drawn by theta
+// = acos u^(1/(n+1)), with density (n + 1) / (2 pi) cos^n a; the Jacobian 1 / (4 wo.h) turns it
+// into a density of directions.
 //
 // That form reflects up to about 4 ks. The normalised one,
 //   f = ks (n + 1) / (2 pi) cos^n a / (4 (wo.h) max(cosO, cosI)),
@@ -9,10 +9,12 @@
 // half vectors f cosI becomes ks times their density times cosI / max(cosO, cosI), so at most ks.
 //
 // cos^n is exp(-n/2 log(1 + tan^2)), which holds for exponents to 1e7, where pow(cos, n) is noise.
-// Directions are in the shading frame; wo.z > 0.
 #ifndef CALOTYPE_BSDF_BLINN_PHONG_GLSL
 #define CALOTYPE_BSDF_BLINN_PHONG_GLSL
 
+#include "bsdf/half_vector.glsl"
+#include "bsdf/lobe.glsl"
+#include "bsdf/surface_parameters.glsl"
 #include "core/constants.glsl"
 #include "core/exponential.glsl"
 #include "core/trigonometry.glsl"
@@ -20,8 +22,17 @@
 struct BlinnPhongLobe {
     float ks;
     float exponent;
-    bool normalized;
+    bool isNormalized;
 };
+
+BlinnPhongLobe makeBlinnPhong(SurfaceParameters surface) {
+    return BlinnPhongLobe(surface.specular, surface.exponent,
+                          (surface.lobes & kNormalizedLobe) != 0u);
+}
+
+bool isSpecular(BlinnPhongLobe lobe) { return false; }
+
+float lobeAlbedo(BlinnPhongLobe lobe, vec3 wo) { return lobe.ks; }
 
 /// The density of half vectors, per solid angle of h.
 float blinnPhongHalfPdf(float exponent, vec3 h) {
@@ -29,26 +40,30 @@ float blinnPhongHalfPdf(float exponent, vec3 h) {
     return (exponent + 1.0) / kTwoPi * exp(-0.5 * exponent * logOnePlus(tan2));
 }
 
-/// f cos, for wi.z > 0, h the unit half vector and cosThetaD its cosine to either direction.
-float evaluateBlinnPhong(BlinnPhongLobe lobe, vec3 wo, vec3 wi, vec3 h, float cosThetaD) {
+vec3 evaluateLobe(BlinnPhongLobe lobe, vec3 wo, vec3 wi) {
+    HalfVector middle = halfVectorOf(wo, wi);
     float n = lobe.exponent;
-    float scale = lobe.normalized ? 0.25 / (cosThetaD * max(wo.z, wi.z)) : (n + 2.0) / (n + 1.0);
-    return lobe.ks * blinnPhongHalfPdf(n, h) * scale * wi.z;
+    float scale =
+        lobe.isNormalized ? 0.25 / (middle.cosThetaD * max(wo.z, wi.z)) : (n + 2.0) / (n + 1.0);
+    float value = lobe.ks * blinnPhongHalfPdf(n, middle.h) * scale * wi.z;
+    return vec3(wi.z > 0.0 ? value : 0.0);
 }
 
-/// Per solid angle of wi.
-float blinnPhongPdf(BlinnPhongLobe lobe, vec3 h, float cosThetaD) {
-    return blinnPhongHalfPdf(lobe.exponent, h) * 0.25 / cosThetaD;
+float lobePdf(BlinnPhongLobe lobe, vec3 wo, vec3 wi) {
+    HalfVector middle = halfVectorOf(wo, wi);
+    float pdf = blinnPhongHalfPdf(lobe.exponent, middle.h) * 0.25 / middle.cosThetaD;
+    return wi.z > 0.0 ? pdf : 0.0;
 }
 
-/// A half vector; 1 - u takes the place of the report's u, as it is never zero.
-vec3 sampleBlinnPhong(BlinnPhongLobe lobe, vec2 u) {
+/// 1 - u takes the place of the model's u, as it is never zero.
+LobeSample sampleLobe(BlinnPhongLobe lobe, vec3 wo, vec3 u) {
     float minusLogU = logOnePlus(u.x / (1.0 - u.x));
     float tan2 = expMinusOne(2.0 * minusLogU / (lobe.exponent + 1.0));
     float cosTheta = inversesqrt(1.0 + tan2);
     float sinTheta = sqrt(tan2) * cosTheta;
     vec2 sinCosPhi = sinCosTwoPi(u.y);
-    return vec3(sinTheta * sinCosPhi.y, sinTheta * sinCosPhi.x, cosTheta);
+    vec3 h = vec3(sinTheta * sinCosPhi.y, sinTheta * sinCosPhi.x, cosTheta);
+    return lobeSample(mirroredAt(h, wo));
 }
 
 #endif

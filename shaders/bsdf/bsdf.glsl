@@ -1,5 +1,5 @@
-// The closed list of lobes, and how a material mixes them: a diffuse lobe, one of half vectors,
-// both, or a dielectric boundary.
+// How a material scatters light at a point: the closed list of lobes, and their mixture. The
+// contract of a lobe is in bsdf/lobe.glsl; the mixture is docs/models.md, "Mixture of lobes".
 #ifndef CALOTYPE_BSDF_BSDF_GLSL
 #define CALOTYPE_BSDF_BSDF_GLSL
 
@@ -7,33 +7,30 @@
 #include "bsdf/dielectric.glsl"
 #include "bsdf/diffuse.glsl"
 #include "bsdf/ggx.glsl"
+#include "bsdf/lobe.glsl"
 #include "bsdf/shading_normal.glsl"
+#include "bsdf/surface_parameters.glsl"
 #include "config/features.glsl"
 #include "core/frame.glsl"
 #include "core/select.glsl"
-#include "shared/limits.h"
-#include "shared/scene_structs.h"
 
-/// What a material's parameters are at a point: its textures are looked up.
-struct SurfaceParameters {
-    uint lobes; ///< as in Material
-    vec3 color;
-    float roughness;
-    float specular;
-    float kd;
-    float exponent;
-    float eta; ///< inside over outside
+/// The part of [0, 1) in which the random number that chooses a lobe chooses this one.
+struct LobeShare {
+    float start;
+    float chance; ///< its length: the probability with which the lobe is sampled
 };
 
 /// A material at a point, seen from `wo`. All normals are turned to the viewer.
 struct Bsdf {
-    uint lobes;
-    vec3 diffuse; ///< reflectance of the diffuse lobe; the tint of a dielectric
+    uint lobes; ///< as in Material
+    DiffuseLobe diffuse;
     GgxLobe ggx;
     BlinnPhongLobe blinnPhong;
-    float eta;                ///< of a dielectric: far side over the viewer's
-    float diffuseProbability; ///< with which the diffuse lobe is sampled
-    bool isMirror;            ///< the GGX lobe is so narrow that it reflects one direction
+    DielectricLobe dielectric;
+    LobeShare diffuseShare;
+    LobeShare ggxShare;
+    LobeShare blinnPhongShare;
+    LobeShare dielectricShare;
     vec3 ng;
     vec3 horizon; ///< normal of the plane below which nothing is reflected
     vec3 wo;      ///< in the shading frame
@@ -47,28 +44,52 @@ struct BsdfValue {
 
 struct BsdfSample {
     vec3 wi;      ///< in the world
-    vec3 weight;  ///< f |cos| / pdf; zero where nothing is reflected
-    float pdf;    ///< per solid angle; kSpecularPdf for a direction that is certain
+    vec3 weight;  ///< f |cos| / pdf; zero where nothing is scattered
+    float pdf;    ///< per solid angle; kSpecularPdf for a specular direction
     bool crosses; ///< wi goes to the far side
+    float eta;    ///< as in LobeSample
 };
 
-/// Stands for the infinite density of a specular direction: beside it any other strategy's
-/// vanishes.
+/// Stands for the infinite density of a specular direction: the density of any other strategy
+/// vanishes beside it.
 const float kSpecularPdf = 1e30;
 
-/// Share of the samples for the diffuse lobe: by what either lobe reflects. The report's rule for
-/// Blinn-Phong, kd / (kd + ks), and the like with the Fresnel term for GGX.
-float probabilityOfDiffuse(vec3 diffuse, vec3 specular) {
-    float d = greatest(diffuse);
-    float s = greatest(specular);
-    return d + s > 0.0 ? d / (d + s) : 1.0;
+bool hasLobe(Bsdf bsdf, uint lobe) { return (bsdf.lobes & lobe) != 0u; }
+
+/// The share from `start` to `end`, both in parts of `total`. Where no lobe scatters anything, all
+/// shares are empty.
+LobeShare lobeShare(float start, float end, float total) {
+    float first = total > 0.0 ? start / total : 1.0;
+    float last = total > 0.0 ? end / total : 1.0;
+    return LobeShare(first, last - first);
+}
+
+/// Divides [0, 1) among the lobes in proportion to their albedos.
+void shareOut(inout Bsdf bsdf) {
+    float diffuse = 0.0, ggx = 0.0, blinnPhong = 0.0, dielectric = 0.0;
+    if (hasDiffuse && hasLobe(bsdf, kLobeDiffuse))
+        diffuse = lobeAlbedo(bsdf.diffuse, bsdf.wo);
+    if (hasGgx && hasLobe(bsdf, kLobeGgx))
+        ggx = lobeAlbedo(bsdf.ggx, bsdf.wo);
+    if (hasBlinnPhong && hasLobe(bsdf, kLobeBlinnPhong))
+        blinnPhong = lobeAlbedo(bsdf.blinnPhong, bsdf.wo);
+    if (hasDielectrics && hasLobe(bsdf, kLobeDielectric))
+        dielectric = lobeAlbedo(bsdf.dielectric, bsdf.wo);
+    float ggxStart = diffuse;
+    float blinnPhongStart = ggxStart + ggx;
+    float dielectricStart = blinnPhongStart + blinnPhong;
+    float total = dielectricStart + dielectric;
+    bsdf.diffuseShare = lobeShare(0.0, ggxStart, total);
+    bsdf.ggxShare = lobeShare(ggxStart, blinnPhongStart, total);
+    bsdf.blinnPhongShare = lobeShare(blinnPhongStart, dielectricStart, total);
+    bsdf.dielectricShare = lobeShare(dielectricStart, total, total);
 }
 
 /// `horizon` is the normal below which light is cut off: ng, or the interpolated normal where rays
 /// leave from the smooth surface.
 Bsdf makeBsdf(SurfaceParameters surface, vec3 ng, vec3 ns, vec3 horizon, vec3 woWorld) {
-    bool outside = dot(woWorld, ng) >= 0.0;
-    float side = outside ? 1.0 : -1.0;
+    bool isOutside = dot(woWorld, ng) >= 0.0;
+    float side = isOutside ? 1.0 : -1.0;
     Bsdf bsdf;
     bsdf.lobes = surface.lobes;
     bsdf.ng = side * ng;
@@ -80,101 +101,90 @@ Bsdf makeBsdf(SurfaceParameters surface, vec3 ng, vec3 ns, vec3 horizon, vec3 wo
     // A cosine: the sum of three products is off by gamma_3 (4e-7) at most, and the frame's axes by
     // as much again, so a view along the surface may come out below it by less than 1e-6.
     bsdf.wo = vec3(wo.xy, greater(wo.z, 1e-6));
-    bsdf.diffuse = surface.color;
-    bsdf.diffuseProbability = 1.0;
-    bsdf.isMirror = false;
-    bsdf.eta = outside ? surface.eta : 1.0 / surface.eta;
-    if (hasGgx && (surface.lobes & kLobeGgx) != 0u) {
-        bool isMetal = (surface.lobes & kColorIsF0) != 0u;
-        float k = (surface.roughness + 1.0) * (surface.roughness + 1.0) * 0.125;
-        bsdf.ggx.f0 = isMetal ? surface.color : vec3(surface.specular);
-        bsdf.ggx.alpha = surface.roughness * surface.roughness;
-        bsdf.ggx.maskingK = (surface.lobes & kSmithMasking) != 0u ? -1.0 : k;
-        bsdf.isMirror = hasMirrors && bsdf.ggx.alpha < kMirrorAlpha;
-        bsdf.diffuse = isMetal ? vec3(0.0) : (1.0 - surface.specular) * surface.color;
-        bsdf.diffuseProbability =
-            probabilityOfDiffuse(bsdf.diffuse, fresnelSchlick(bsdf.ggx.f0, bsdf.wo.z));
-    }
-    if (hasBlinnPhong && (surface.lobes & kLobeBlinnPhong) != 0u) {
-        bsdf.blinnPhong = BlinnPhongLobe(surface.specular, surface.exponent,
-                                         (surface.lobes & kNormalizedLobe) != 0u);
-        bsdf.diffuse = surface.kd * surface.color;
-        bsdf.diffuseProbability = probabilityOfDiffuse(bsdf.diffuse, vec3(surface.specular));
-    }
+    bsdf.diffuse = makeDiffuse(surface);
+    bsdf.ggx = makeGgx(surface);
+    bsdf.blinnPhong = makeBlinnPhong(surface);
+    bsdf.dielectric = makeDielectric(surface, isOutside);
+    shareOut(bsdf);
     return bsdf;
 }
 
-/// True where light arrives from one or two certain directions only, which no light sample meets.
+/// True where light arrives from certain directions only, which no light sample meets.
 bool isSpecular(Bsdf bsdf) {
-    return (hasDielectrics && (bsdf.lobes & kLobeDielectric) != 0u) ||
-           (hasMirrors && bsdf.isMirror && bsdf.diffuseProbability == 0.0);
+    bool hasDensity = hasDiffuse && hasLobe(bsdf, kLobeDiffuse) && bsdf.diffuseShare.chance > 0.0;
+    hasDensity = hasDensity || (hasGgx && hasLobe(bsdf, kLobeGgx) && !isSpecular(bsdf.ggx));
+    hasDensity = hasDensity || (hasBlinnPhong && hasLobe(bsdf, kLobeBlinnPhong));
+    return !hasDensity;
+}
+
+/// Whether light may go that way: reflected light has to leave above the shaded and the true
+/// surface, and transmitted light below both.
+bool isScattered(Bsdf bsdf, vec3 wi, vec3 wiWorld) {
+    bool isReflected = wi.z > 0.0 && dot(wiWorld, bsdf.horizon) > 0.0;
+    bool isTransmitted = hasTransmission && wi.z < 0.0 && dot(wiWorld, bsdf.ng) < 0.0;
+    return isReflected || isTransmitted;
 }
 
 /// For a direction in the world. Specular light has no value at any direction.
 BsdfValue evaluateBsdf(Bsdf bsdf, vec3 wiWorld) {
     vec3 wi = wiWorld * bsdf.worldFromShading;
     BsdfValue result = BsdfValue(vec3(0.0), 0.0);
-    if (wi.z <= 0.0 || dot(wiWorld, bsdf.horizon) <= 0.0)
+    if (!isScattered(bsdf, wi, wiWorld))
         return result;
-    // wo.h, as half of |wo + wi|: where both graze from opposite sides the dot product's sign is
-    // noise.
-    vec3 sum = bsdf.wo + wi;
-    float cosThetaD = 0.5 * length(sum);
-    vec3 h = normalize(sum);
-    if (hasDiffuse && (bsdf.lobes & kLobeDiffuse) != 0u) {
-        result.value = evaluateDiffuse(bsdf.diffuse, wi);
-        result.pdf = bsdf.diffuseProbability * diffusePdf(wi);
+    if (hasDiffuse && hasLobe(bsdf, kLobeDiffuse)) {
+        result.value += evaluateLobe(bsdf.diffuse, bsdf.wo, wi);
+        result.pdf += bsdf.diffuseShare.chance * lobePdf(bsdf.diffuse, bsdf.wo, wi);
     }
-    if (hasGgx && (bsdf.lobes & kLobeGgx) != 0u && !bsdf.isMirror) {
-        result.value += evaluateGgx(bsdf.ggx, bsdf.wo, wi, h, cosThetaD);
-        result.pdf += (1.0 - bsdf.diffuseProbability) * ggxPdf(bsdf.ggx, bsdf.wo, h);
+    if (hasGgx && hasLobe(bsdf, kLobeGgx)) {
+        result.value += evaluateLobe(bsdf.ggx, bsdf.wo, wi);
+        result.pdf += bsdf.ggxShare.chance * lobePdf(bsdf.ggx, bsdf.wo, wi);
     }
-    if (hasBlinnPhong && (bsdf.lobes & kLobeBlinnPhong) != 0u) {
-        result.value += evaluateBlinnPhong(bsdf.blinnPhong, bsdf.wo, wi, h, cosThetaD);
-        result.pdf +=
-            (1.0 - bsdf.diffuseProbability) * blinnPhongPdf(bsdf.blinnPhong, h, cosThetaD);
+    if (hasBlinnPhong && hasLobe(bsdf, kLobeBlinnPhong)) {
+        result.value += evaluateLobe(bsdf.blinnPhong, bsdf.wo, wi);
+        result.pdf += bsdf.blinnPhongShare.chance * lobePdf(bsdf.blinnPhong, bsdf.wo, wi);
     }
     return result;
 }
 
-/// The direction mirrored at a half vector drawn by the material's lobe, in the shading frame.
-vec3 sampleHalfVectorLobe(Bsdf bsdf, vec2 u) {
-    vec3 h = vec3(0.0, 0.0, 1.0);
-    if (hasGgx && (bsdf.lobes & kLobeGgx) != 0u && !bsdf.isMirror)
-        h = sampleGgx(bsdf.ggx, bsdf.wo, u);
-    if (hasBlinnPhong && (bsdf.lobes & kLobeBlinnPhong) != 0u)
-        h = sampleBlinnPhong(bsdf.blinnPhong, u);
-    return 2.0 * dot(bsdf.wo, h) * h - bsdf.wo;
+/// A sample of one lobe, and the probability with which that lobe was chosen.
+struct ChosenSample {
+    LobeSample scattered;
+    float chance;
+};
+
+/// A direction from one lobe: u.xy pick within it, u.z the lobe. It is the last lobe whose share
+/// starts at or below u.z, so that rounding of the shares leaves no number without a lobe.
+ChosenSample sampleOneLobe(Bsdf bsdf, vec3 u) {
+    ChosenSample chosen = ChosenSample(lobeSample(vec3(0.0)), 1.0);
+    if (hasDiffuse && hasLobe(bsdf, kLobeDiffuse))
+        chosen = ChosenSample(sampleLobe(bsdf.diffuse, bsdf.wo, u), bsdf.diffuseShare.chance);
+    if (hasGgx && hasLobe(bsdf, kLobeGgx) && u.z >= bsdf.ggxShare.start)
+        chosen = ChosenSample(sampleLobe(bsdf.ggx, bsdf.wo, u), bsdf.ggxShare.chance);
+    if (hasBlinnPhong && hasLobe(bsdf, kLobeBlinnPhong) && u.z >= bsdf.blinnPhongShare.start)
+        chosen = ChosenSample(sampleLobe(bsdf.blinnPhong, bsdf.wo, u), bsdf.blinnPhongShare.chance);
+    if (hasDielectrics && hasLobe(bsdf, kLobeDielectric) && u.z >= bsdf.dielectricShare.start) {
+        float place = (u.z - bsdf.dielectricShare.start) / bsdf.dielectricShare.chance;
+        chosen = ChosenSample(sampleLobe(bsdf.dielectric, bsdf.wo, vec3(u.xy, place)),
+                              bsdf.dielectricShare.chance);
+    }
+    return chosen;
 }
 
-/// Mirrored light, in the world, belongs on the near side of the true surface and refracted light
-/// on the far one: where rounding or a shading normal leave it on the other, it is mirrored there.
-BsdfSample crossDielectric(Bsdf bsdf, float u) {
-    DielectricSample event = sampleDielectric(bsdf.diffuse, bsdf.eta, bsdf.wo, u);
-    bool crosses = event.wi.z < 0.0;
-    vec3 wi = ontoSideOf(crosses ? -bsdf.ng : bsdf.ng, bsdf.worldFromShading * event.wi);
-    return BsdfSample(wi, event.weight, kSpecularPdf, crosses);
-}
-
-/// A direction by the lobes' chances: u.xy within the lobe, u.z the choice.
+/// A direction by the mixture: u.xy pick within a lobe, u.z the lobe. Specular light, in the world,
+/// belongs on the near side of the true surface where it is mirrored, and on the far side where it
+/// crosses: where rounding or a shading normal leave it on the other, it is mirrored there.
 BsdfSample sampleBsdf(Bsdf bsdf, vec3 u) {
-    if (hasDielectrics && (bsdf.lobes & kLobeDielectric) != 0u)
-        return crossDielectric(bsdf, u.z);
-    const bool hasHalfVectors = hasGgx || hasBlinnPhong;
-    bool diffuse = !hasHalfVectors || u.z < bsdf.diffuseProbability;
-    vec3 wi = vec3(0.0);
-    if (hasDiffuse && diffuse)
-        wi = sampleDiffuse(u.xy);
-    if (hasHalfVectors && !diffuse)
-        wi = sampleHalfVectorLobe(bsdf, u.xy);
-    vec3 wiWorld = bsdf.worldFromShading * wi;
-    if (hasMirrors && bsdf.isMirror && !diffuse)
-        return BsdfSample(ontoSideOf(bsdf.ng, wiWorld),
-                          mirrorWeight(bsdf.ggx, bsdf.wo.z) / (1.0 - bsdf.diffuseProbability),
-                          kSpecularPdf, false);
-    BsdfValue mixture = evaluateBsdf(bsdf, wiWorld);
+    ChosenSample chosen = sampleOneLobe(bsdf, u);
+    LobeSample scattered = chosen.scattered;
+    vec3 wi = bsdf.worldFromShading * scattered.wi;
+    bool crosses = hasCrossing && scattered.wi.z < 0.0;
+    if ((hasMirrors || hasDielectrics) && scattered.isSpecular)
+        return BsdfSample(ontoSideOf(crosses ? -bsdf.ng : bsdf.ng, wi),
+                          scattered.specularWeight / chosen.chance, kSpecularPdf, crosses,
+                          scattered.eta);
+    BsdfValue mixture = evaluateBsdf(bsdf, wi);
     vec3 weight = mixture.pdf > 0.0 ? mixture.value / mixture.pdf : vec3(0.0);
-    return BsdfSample(wiWorld, weight, mixture.pdf, false);
+    return BsdfSample(wi, weight, mixture.pdf, crosses, scattered.eta);
 }
 
 #endif

@@ -1,24 +1,38 @@
-// A smooth boundary between two dielectrics: mirrored and refracted light in the proportions of the
-// exact Fresnel equations (report eq. 1.34 with its "weighted sum"), one of them chosen by its
-// share. Directions are in the shading frame; z is on the viewer's side.
+// A smooth boundary between two dielectrics (docs/models.md, "Dielectric"): mirrored and refracted
+// light in the proportions of Fresnel's exact equations, one of them chosen by its share.
 #ifndef CALOTYPE_BSDF_DIELECTRIC_GLSL
 #define CALOTYPE_BSDF_DIELECTRIC_GLSL
 
 #include "bsdf/fresnel.glsl"
+#include "bsdf/lobe.glsl"
+#include "bsdf/surface_parameters.glsl"
 
-struct DielectricSample {
-    vec3 wi;
-    vec3 weight;
+struct DielectricLobe {
+    vec3 tint; ///< of the light that crosses
+    float eta; ///< index of refraction on the far side over that on the viewer's
 };
 
-/// `eta` is the index of refraction on the far side over that on the viewer's; `tint` colours what
-/// crosses. Radiance beyond the boundary is spread over another solid angle: crossing scales it by
-/// (1 / eta)^2.
-DielectricSample sampleDielectric(vec3 tint, float eta, vec3 wo, float u) {
-    Refraction refraction = refractDielectric(wo, eta);
-    if (u < refraction.reflectance)
-        return DielectricSample(vec3(-wo.xy, wo.z), vec3(1.0));
-    return DielectricSample(vec3(-wo.xy / eta, -refraction.cosThetaT), tint / (eta * eta));
+/// `isOutside`: the viewer is on the outer side of the surface.
+DielectricLobe makeDielectric(SurfaceParameters surface, bool isOutside) {
+    return DielectricLobe(surface.color, isOutside ? surface.eta : 1.0 / surface.eta);
+}
+
+bool isSpecular(DielectricLobe lobe) { return true; }
+
+float lobeAlbedo(DielectricLobe lobe, vec3 wo) { return 1.0; }
+
+vec3 evaluateLobe(DielectricLobe lobe, vec3 wo, vec3 wi) { return vec3(0.0); }
+
+float lobePdf(DielectricLobe lobe, vec3 wo, vec3 wi) { return 0.0; }
+
+/// u.z chooses. Radiance beyond the boundary is spread over another solid angle: crossing scales it
+/// by (1 / eta)^2.
+LobeSample sampleLobe(DielectricLobe lobe, vec3 wo, vec3 u) {
+    Refraction refraction = refractDielectric(wo, lobe.eta);
+    if (u.z < refraction.reflectance)
+        return LobeSample(vec3(-wo.xy, wo.z), true, vec3(1.0), 1.0);
+    return LobeSample(vec3(-wo.xy / lobe.eta, -refraction.cosThetaT), true,
+                      lobe.tint / (lobe.eta * lobe.eta), lobe.eta);
 }
 
 #endif

@@ -1,16 +1,41 @@
-// Lambertian reflection, f = color / pi (report eq. 1.21), sampled by the cosine (eq. 1.22, 1.23).
-// Directions are in the shading frame: z is the shading normal, on the viewer's side.
+// Lambertian reflection (docs/models.md, "Lambert"): f = color / pi, sampled by the cosine.
 #ifndef CALOTYPE_BSDF_DIFFUSE_GLSL
 #define CALOTYPE_BSDF_DIFFUSE_GLSL
 
+#include "bsdf/lobe.glsl"
+#include "bsdf/surface_parameters.glsl"
+#include "core/select.glsl"
 #include "core/warp.glsl"
 
-/// f cos, for wi.z > 0.
-vec3 evaluateDiffuse(vec3 color, vec3 wi) { return color * cosineHemispherePdf(wi.z); }
+struct DiffuseLobe {
+    vec3 reflectance;
+};
 
-/// Per solid angle, for wi.z > 0.
-float diffusePdf(vec3 wi) { return cosineHemispherePdf(wi.z); }
+/// Under GGX the base reflects what Fresnel's F0 leaves ("Metal and nonmetal"); under Blinn-Phong
+/// the share `kd`.
+DiffuseLobe makeDiffuse(SurfaceParameters surface) {
+    vec3 reflectance = surface.color;
+    if (hasGgx && (surface.lobes & kLobeGgx) != 0u)
+        reflectance = (1.0 - surface.specular) * surface.color;
+    if (hasBlinnPhong && (surface.lobes & kLobeBlinnPhong) != 0u)
+        reflectance = surface.kd * surface.color;
+    return DiffuseLobe(reflectance);
+}
 
-vec3 sampleDiffuse(vec2 u) { return warpToCosineHemisphere(u); }
+bool isSpecular(DiffuseLobe lobe) { return false; }
+
+float lobeAlbedo(DiffuseLobe lobe, vec3 wo) { return greatest(lobe.reflectance); }
+
+vec3 evaluateLobe(DiffuseLobe lobe, vec3 wo, vec3 wi) {
+    return wi.z > 0.0 ? lobe.reflectance * cosineHemispherePdf(wi.z) : vec3(0.0);
+}
+
+float lobePdf(DiffuseLobe lobe, vec3 wo, vec3 wi) {
+    return wi.z > 0.0 ? cosineHemispherePdf(wi.z) : 0.0;
+}
+
+LobeSample sampleLobe(DiffuseLobe lobe, vec3 wo, vec3 u) {
+    return lobeSample(warpToCosineHemisphere(u.xy));
+}
 
 #endif

@@ -1,26 +1,50 @@
-// Reflection by a rough surface of GGX microfacets: f = D F G / (4 cosO cosI) (report eq. 1.27).
+// Reflection by a rough surface of GGX microfacets (docs/models.md, "GGX" and "GGX masking"):
+// f = D F G / (4 cosO cosI).
 //
 // D is written with the tangent's square, D = 1 / (pi alpha^2 (tan^2 / alpha^2 + 1)^2 cos^4), since
-// the report's form (eq. 1.28) cancels for small alpha. Masking is the report's (eq. 1.30), whose
-// product divided by 4 cosO cosI is free of divisions by small cosines, or Smith's
-// height-correlated term (Heitz 2014, "Understanding the Masking-Shadowing Function", eq. 99).
+// the usual form cancels for small alpha. Masking is Schlick's product of two factors, which
+// divided by 4 cosO cosI is free of divisions by small cosines, or Smith's height-correlated term
+// (Heitz 2014, "Understanding the Masking-Shadowing Function", eq. 99).
 //
 // Half vectors are drawn from those that the viewer sees (Dupuy and Benyoub 2023, "Sampling Visible
 // GGX Normals with Spherical Caps"), with density D G1 max(0, wo.h) / cosO; the Jacobian 1 / (4
-// wo.h) turns it into one of directions. Against drawing by D cos (eq. 1.31, 1.32) the weights stay
-// below one, however the viewer grazes the surface. Directions are in the shading frame; wo.z > 0.
+// wo.h) turns it into one of directions. Against drawing by D cos the weights stay below one,
+// however the viewer grazes the surface.
+//
+// A lobe too narrow to be drawn is a mirror (docs/models.md, "Mirror"), which is specular.
 #ifndef CALOTYPE_BSDF_GGX_GLSL
 #define CALOTYPE_BSDF_GGX_GLSL
 
 #include "bsdf/fresnel.glsl"
+#include "bsdf/half_vector.glsl"
+#include "bsdf/lobe.glsl"
+#include "bsdf/surface_parameters.glsl"
 #include "core/constants.glsl"
+#include "core/select.glsl"
 #include "core/trigonometry.glsl"
+#include "shared/limits.h"
 
 struct GgxLobe {
     vec3 f0;
     float alpha;    ///< roughness^2
-    float maskingK; ///< of eq. 1.30: (roughness + 1)^2 / 8; negative selects Smith's term
+    float maskingK; ///< of Schlick's masking: (roughness + 1)^2 / 8; negative selects Smith's term
+    bool isMirror;
 };
+
+GgxLobe makeGgx(SurfaceParameters surface) {
+    bool isMetal = (surface.lobes & kColorIsF0) != 0u;
+    float k = (surface.roughness + 1.0) * (surface.roughness + 1.0) * 0.125;
+    GgxLobe lobe;
+    lobe.f0 = isMetal ? surface.color : vec3(surface.specular);
+    lobe.alpha = surface.roughness * surface.roughness;
+    lobe.maskingK = (surface.lobes & kSmithMasking) != 0u ? -1.0 : k;
+    lobe.isMirror = hasMirrors && lobe.alpha < kMirrorAlpha;
+    return lobe;
+}
+
+bool isSpecular(GgxLobe lobe) { return hasMirrors && lobe.isMirror; }
+
+float lobeAlbedo(GgxLobe lobe, vec3 wo) { return greatest(fresnelSchlick(lobe.f0, wo.z)); }
 
 /// Density of microfacet normals for a unit half vector h.
 float ggxD(vec3 h, float alpha) {
@@ -43,22 +67,25 @@ float ggxVisibility(float cosThetaO, float cosThetaI, GgxLobe lobe) {
     return k < 0.0 ? smith : schlick;
 }
 
-/// f cos, for wi.z > 0, h the unit half vector and cosThetaD its cosine to either direction.
-vec3 evaluateGgx(GgxLobe lobe, vec3 wo, vec3 wi, vec3 h, float cosThetaD) {
-    vec3 fresnel = fresnelSchlick(lobe.f0, cosThetaD);
-    return fresnel * (ggxD(h, lobe.alpha) * ggxVisibility(wo.z, wi.z, lobe) * wi.z);
+vec3 evaluateLobe(GgxLobe lobe, vec3 wo, vec3 wi) {
+    HalfVector middle = halfVectorOf(wo, wi);
+    vec3 fresnel = fresnelSchlick(lobe.f0, middle.cosThetaD);
+    vec3 value = fresnel * (ggxD(middle.h, lobe.alpha) * ggxVisibility(wo.z, wi.z, lobe) * wi.z);
+    return wi.z > 0.0 && !isSpecular(lobe) ? value : vec3(0.0);
 }
 
-/// Per solid angle: G1(wo) D / (4 cosO), where cosO cancels.
-float ggxPdf(GgxLobe lobe, vec3 wo, vec3 h) {
-    return 0.5 * ggxD(h, lobe.alpha) / (wo.z + ggxSlantCosine(wo.z, lobe.alpha));
+/// G1(wo) D / (4 cosO), where cosO cancels.
+float lobePdf(GgxLobe lobe, vec3 wo, vec3 wi) {
+    vec3 h = halfVectorOf(wo, wi).h;
+    float pdf = 0.5 * ggxD(h, lobe.alpha) / (wo.z + ggxSlantCosine(wo.z, lobe.alpha));
+    return wi.z > 0.0 && !isSpecular(lobe) ? pdf : 0.0;
 }
 
 /// A visible half vector: in the space where the surface is a hemisphere, a point on the cap about
 /// wo that reflects into the upper side, plus wo: s. The point's z is (1 - u) (1 + s.z) - s.z; from
 /// there 1 - z, 1 + z and z + s.z are written without the differences in which u near 1, the lobe's
 /// far end, would drown.
-vec3 sampleGgx(GgxLobe lobe, vec3 wo, vec2 u) {
+vec3 sampleVisibleHalfVector(GgxLobe lobe, vec3 wo, vec2 u) {
     vec3 stretched = normalize(vec3(lobe.alpha * wo.xy, wo.z));
     vec2 sinCosPhi = sinCosTwoPi(u.x);
     float height = (1.0 - u.y) * (1.0 + stretched.z);
@@ -68,12 +95,17 @@ vec3 sampleGgx(GgxLobe lobe, vec3 wo, vec2 u) {
     return normalize(vec3(lobe.alpha * h, height));
 }
 
-/// A lobe too narrow to be drawn: the mirrored direction with weight F G1(wo)^2 (Smith's term is 1
-/// in the limit).
+/// F G1(wo)^2 (Smith's term is 1 in the limit).
 vec3 mirrorWeight(GgxLobe lobe, float cosThetaO) {
     float k = lobe.maskingK;
     float g1 = k < 0.0 ? 1.0 : cosThetaO / (cosThetaO * (1.0 - k) + k);
     return fresnelSchlick(lobe.f0, cosThetaO) * (g1 * g1);
+}
+
+LobeSample sampleLobe(GgxLobe lobe, vec3 wo, vec3 u) {
+    if (isSpecular(lobe))
+        return LobeSample(vec3(-wo.xy, wo.z), true, mirrorWeight(lobe, wo.z), 1.0);
+    return lobeSample(mirroredAt(sampleVisibleHalfVector(lobe, wo, u.xy), wo));
 }
 
 #endif

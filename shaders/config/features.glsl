@@ -41,6 +41,10 @@ const bool hasFewQuadrics = hasTriangles && hasQuadrics && !hasManyQuadrics;
 const bool hasShadingNormals = hasSmoothNormals || hasNormalMaps;
 const bool hasQuadricLights =
     hasSphereLights || hasCylinderLights || hasConeLights || hasDiskLights;
+/// Some lobe transmits and has a density, so that light samples from the far side count: none yet.
+const bool hasTransmission = false;
+/// Some lobe transmits, with a density or without.
+const bool hasCrossing = hasDielectrics || hasTransmission;
 const bool hasLights = hasTriangleLights || hasQuadricLights || hasBackground;
 const bool hasTextures =
     hasColorTextures || hasRoughnessTextures || hasSpecularTextures || hasNormalMaps || hasAlpha;

@@ -1,4 +1,4 @@
-// Light that comes straight from one emitter, chosen among all (report eq. 1.36, 1.37).
+// Light that comes straight from one emitter, chosen among all (docs/models.md, "Direct light").
 #ifndef CALOTYPE_PATH_DIRECT_LIGHT_GLSL
 #define CALOTYPE_PATH_DIRECT_LIGHT_GLSL
 
@@ -25,7 +25,7 @@ float emitterAlpha(Light light, vec2 coordinates) {
     return transparent ? alphaAt(loadMaterial(materialIndex & ~kTransparentBit), uv) : 1.0;
 }
 
-/// From `origin`, which lies off the surface on the viewer's side.
+/// From `origin`, which lies off the surface on one of its sides.
 LightSample sampleDirectLight(Light light, vec3 origin, vec2 u) {
     if (isBackground(light)) {
         vec3 wi = sampleBackground(u);
@@ -46,19 +46,36 @@ LightSample sampleDirectLight(Light light, vec3 origin, vec2 u) {
 struct DirectLight {
     Ray ray;       ///< from the surface to the emitter
     uint target;   ///< the emitter's primitive, which does not stand in its own way
-    vec3 radiance; ///< reflected towards the viewer if nothing stands in the way; 0 for no light
+    vec3 radiance; ///< scattered towards the viewer if nothing stands in the way; 0 for no light
 };
 
-/// Light from one point on one emitter, reflected towards the viewer.
-DirectLight directLight(Bsdf bsdf, vec3 origin, vec4 u, uint lightCount) {
+/// Where light leaves a surface: points off it on either side.
+struct Departure {
+    vec3 viewerSide; ///< off the smooth surface, where there is one
+    vec3 farSide;
+};
+
+/// `ng` is the geometric normal on the viewer's side.
+Departure departureFrom(Interaction surface, vec3 ng) {
+    vec3 onSmooth = surface.position + surface.toSmooth;
+    return Departure(offsetFromSurface(onSmooth, surface.error, ng),
+                     offsetFromSurface(surface.position, surface.error, -ng));
+}
+
+/// Light from one point on one emitter, scattered towards the viewer. A light that lies on the far
+/// side is sampled from there, as what crosses the surface starts there.
+DirectLight directLight(Bsdf bsdf, Departure from, vec4 u, uint lightCount) {
     LightChoice choice = chooseLight(lightCount, u.xz);
     Light light = loadLight(choice.light);
-    LightSample arriving = sampleDirectLight(light, origin, vec2(choice.u, u.y));
-    BsdfValue reflection = evaluateBsdf(bsdf, arriving.wi);
-    vec3 radiance = reflection.value * arriving.radiance;
+    vec2 uLight = vec2(choice.u, u.y);
+    LightSample arriving = sampleDirectLight(light, from.viewerSide, uLight);
+    if (hasTransmission && dot(arriving.wi, bsdf.ng) < 0.0)
+        arriving = sampleDirectLight(light, from.farSide, uLight);
+    BsdfValue scattered = evaluateBsdf(bsdf, arriving.wi);
+    vec3 radiance = scattered.value * arriving.radiance;
     float pdf = arriving.pdf * light.selectionProbability;
     bool isLit = pdf > 0.0 && greatest(radiance) > 0.0;
-    float share = usesMis ? misWeight(pdf, reflection.pdf) : 1.0;
+    float share = usesMis ? misWeight(pdf, scattered.pdf) : 1.0;
     float weight = isLit ? share / pdf : 0.0;
     return DirectLight(arriving.ray, light.primitive, isLit ? radiance * weight : vec3(0.0));
 }

@@ -19,18 +19,11 @@ bool isSeenThrough(Interaction surface) {
     return seenThrough;
 }
 
-/// The colour that the material's lobes are tinted with: a metal's F0, the reflectance of any other
-/// opaque material, 1 for a dielectric.
-vec3 albedoOf(SurfaceParameters parameters) {
-    bool isDielectric = hasDielectrics && (parameters.lobes & kLobeDielectric) != 0u;
-    return isDielectric ? vec3(1.0) : parameters.color;
-}
-
 FirstHitRecord recordOf(Interaction surface, Camera camera, vec3 wo) {
     SurfaceParameters parameters = surfaceParameters(materialOf(surface), surface);
     float side = dot(wo, surface.ng) >= 0.0 ? 1.0 : -1.0;
     FirstHitRecord record;
-    record.albedo = albedoOf(parameters);
+    record.albedo = surfaceAlbedo(parameters);
     record.depth = dot(surface.position - camera.position, camera.forward);
     record.normal = side * surface.ns;
     record.primitive = surface.id;

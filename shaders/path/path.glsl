@@ -112,20 +112,19 @@ bool scatter(inout Path path, Interaction surface, Material material, PathLimits
     vec3 wo = -path.ray.direction;
     SurfaceParameters parameters = surfaceParameters(material, surface);
     Bsdf bsdf = makeBsdf(parameters, surface.ng, surface.ns, surface.horizon, wo);
-    vec3 origin = offsetFromSurface(surface.position + surface.toSmooth, surface.error, bsdf.ng);
+    Departure from = departureFrom(surface, bsdf.ng);
     DirectLight light = DirectLight(path.ray, kNone, vec3(0.0));
     if (hasLights && !isSpecular(bsdf)) {
         vec4 uLight = samplerNumbers(path.id, bounceDimension(path.bounce, kDimensionLight));
-        light = directLight(bsdf, origin, uLight, limits.lightCount);
+        light = directLight(bsdf, from, uLight, limits.lightCount);
     }
     path.arriving = path.throughput * light.radiance;
     vec4 u = samplerNumbers(path.id, bounceDimension(path.bounce, kDimensionBsdf));
     BsdfSample scattered = sampleBsdf(bsdf, u.xyz);
     path.throughput *= scattered.weight;
     if (hasDielectrics && scattered.crosses)
-        path.etaScale *= bsdf.eta * bsdf.eta;
-    path.vertex =
-        scattered.crosses ? offsetFromSurface(surface.position, surface.error, -bsdf.ng) : origin;
+        path.etaScale *= scattered.eta * scattered.eta;
+    path.vertex = scattered.crosses ? from.farSide : from.viewerSide;
     path.direction = scattered.wi;
     path.bsdfPdf = scattered.pdf;
     path.bounce++;

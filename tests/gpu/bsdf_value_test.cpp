@@ -45,7 +45,7 @@ double relativeTolerance(const TestMaterial& test, const glm::dvec3& wo, const g
     return 1e-5 + 16.0 * kTurn / (test.lobeWidth * glm::length(wo + wi));
 }
 
-TEST_F(BsdfValue, IsTheReportsEquation) {
+TEST_F(BsdfValue, IsTheModelsEquation) {
     RandomNumbers random(71);
     for (const TestMaterial& test : testMaterials()) {
         const auto events = eventsAcross(test, 4000, random);

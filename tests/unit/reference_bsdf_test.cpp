@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "reference/bsdf.h"
+#include "reference/ggx_lobe.h"
 #include "support/direction_fit.h"
 #include "support/oracle_bsdf.h"
 #include "support/random_numbers.h"
@@ -18,6 +19,7 @@ namespace calotype::test {
 namespace {
 
 using reference::Bsdf;
+using reference::GgxLobe;
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kCosines[] = {1.0, 0.7, 0.25, 0.04};
@@ -45,7 +47,7 @@ void forEachView(const Check& check) {
         }
 }
 
-TEST(ReferenceBsdf, HasTheReportsValues) {
+TEST(ReferenceBsdf, HasTheModelsValues) {
     RandomNumbers random(201);
     forEachView([&](const TestMaterial& test, const glm::dvec3& wo) {
         const Bsdf bsdf = bsdfOf(test.material, wo);
@@ -122,14 +124,14 @@ TEST(ReferenceBsdf, BecomesAMirrorContinuously) {
             const auto albedo = [&](double alpha) {
                 metal.roughness = std::sqrt(alpha);
                 const Bsdf bsdf = bsdfOf(metal, viewer(cosThetaO));
-                EXPECT_EQ(bsdf.isSpecular(), alpha < Bsdf::kMirrorAlpha);
+                EXPECT_EQ(bsdf.isSpecular(), alpha < GgxLobe::kMirrorAlpha);
                 std::vector<double> weights;
                 for (int i = 0; i < 2000; ++i)
                     weights.push_back(bsdf.sample(someNumbers(random)).weight.y);
                 return estimate(weights).mean;
             };
-            const double mirror = albedo(0.999 * Bsdf::kMirrorAlpha);
-            EXPECT_NEAR(albedo(1.001 * Bsdf::kMirrorAlpha), mirror, 1e-3 * mirror) << cosThetaO;
+            const double mirror = albedo(0.999 * GgxLobe::kMirrorAlpha);
+            EXPECT_NEAR(albedo(1.001 * GgxLobe::kMirrorAlpha), mirror, 1e-3 * mirror) << cosThetaO;
         }
 }
 

@@ -23,5 +23,5 @@ void main() {
     BsdfValue given = evaluateBsdf(bsdf, event.wi);
     results[i] = TestScattered(scattered.wi, scattered.pdf, scattered.weight, again.pdf,
                                again.value, scattered.crosses ? 1u : 0u, given.value, given.pdf,
-                               bsdf.worldFromShading[2], bsdf.diffuseProbability);
+                               bsdf.worldFromShading[2], bsdf.diffuseShare.chance);
 }

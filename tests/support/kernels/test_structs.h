@@ -99,6 +99,22 @@ struct TestScattered {
     float diffuseProbability;
 };
 
+/// One lobe alone, sampled, and evaluated at the direction that it drew and at the event's wi.
+struct TestLobe {
+    vec3 wi;
+    float pdf;  ///< lobePdf at wi
+    vec3 value; ///< evaluateLobe at wi
+    float albedo;
+    vec3 specularWeight;
+    uint isSpecularSample;
+    vec3 given; ///< evaluateLobe at the event's wi
+    float givenPdf;
+    uint isSpecular;
+    float eta;
+    uint pad0;
+    uint pad1;
+};
+
 struct TestTextureRead {
     vec2 uv;
     uint index;

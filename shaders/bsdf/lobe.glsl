@@ -1,0 +1,42 @@
+// The contract of a lobe, which is one way in which a surface scatters light.
+//
+// A file bsdf/<lobe>.glsl declares a struct and these functions, all overloads of the same names:
+//
+//   <Name>Lobe make<Name>(SurfaceParameters surface, ...)
+//   bool isSpecular(<Name>Lobe lobe)
+//       True for a lobe that scatters to certain directions only. It has no density.
+//   float lobeAlbedo(<Name>Lobe lobe, vec3 wo)
+//       Roughly the share of white light that the lobe scatters, at least 0. The lobes of a
+//       material are sampled with probabilities in proportion to it.
+//   vec3 evaluateLobe(<Name>Lobe lobe, vec3 wo, vec3 wi)
+//       f |cos|: the BSDF in 1/sr times the cosine at the surface. Zero for a specular lobe.
+//   float lobePdf(<Name>Lobe lobe, vec3 wo, vec3 wi)
+//       The density, per solid angle of wi, with which sampleLobe draws wi. Zero for a specular
+//       lobe; above zero wherever evaluateLobe is.
+//   LobeSample sampleLobe(<Name>Lobe lobe, vec3 wo, vec3 u)
+//       Draws a direction; each component of u is uniform in [0, 1).
+//
+// Directions are unit vectors in the shading frame, away from the surface: z is the shading normal
+// on the viewer's side. wo.z > 0. wi may lie on either side: wi.z > 0 is a reflection, wi.z < 0 a
+// transmission. Every function accepts both, and evaluateLobe and lobePdf return zero on a side to
+// which the lobe does not scatter. A sampled direction may lie on such a side; it then counts as
+// no light.
+//
+// To add a lobe: write its file, and give it a bit in shared/scene_structs.h, a feature, a member
+// of Bsdf and a line in each function of bsdf/bsdf.glsl that lists the lobes. A lobe that has a
+// density and transmits also has to be named in hasTransmission (config/features.glsl).
+#ifndef CALOTYPE_BSDF_LOBE_GLSL
+#define CALOTYPE_BSDF_LOBE_GLSL
+
+struct LobeSample {
+    vec3 wi;
+    bool isSpecular;     ///< the direction is certain: it has no density
+    vec3 specularWeight; ///< f |cos| / pdf of a specular direction; of any other 0, as its weight
+                         ///< follows from evaluateLobe and lobePdf
+    float eta; ///< index of refraction on wi's side over that on the viewer's; 1 if wi is not bent
+};
+
+/// A direction that has a density.
+LobeSample lobeSample(vec3 wi) { return LobeSample(wi, false, vec3(0.0), 1.0); }
+
+#endif

@@ -1,0 +1,26 @@
+// What a material's parameters are at a point of a surface: its textures are looked up.
+#ifndef CALOTYPE_BSDF_SURFACE_PARAMETERS_GLSL
+#define CALOTYPE_BSDF_SURFACE_PARAMETERS_GLSL
+
+#include "config/features.glsl"
+#include "shared/scene_structs.h"
+
+/// The fields are those of Material.
+struct SurfaceParameters {
+    uint lobes;
+    vec3 color;
+    float roughness;
+    float specular;
+    float kd;
+    float exponent;
+    float eta;
+};
+
+/// The colour that the material's lobes are tinted with: a metal's F0, the reflectance of any other
+/// opaque material, 1 for a dielectric.
+vec3 surfaceAlbedo(SurfaceParameters surface) {
+    bool isDielectric = hasDielectrics && (surface.lobes & kLobeDielectric) != 0u;
+    return isDielectric ? vec3(1.0) : surface.color;
+}
+
+#endif
