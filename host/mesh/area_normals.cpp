@@ -11,7 +11,8 @@ namespace {
 /// Of the summed areas: what is left of normals that cancel, were it not for rounding.
 constexpr double kCancelled = 1e-12;
 
-/// A power of two that brings the positions to a size near one, lest areas under- or overflow.
+/// A power of two that brings the positions to a size near one, against under- and overflow of
+/// areas.
 double unitScale(std::span<const glm::dvec3> positions) {
     double size = 0.0;
     for (const glm::dvec3& p : positions) {

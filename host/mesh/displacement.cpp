@@ -191,7 +191,7 @@ private:
     std::span<const Texture> textures_;
 };
 
-/// The triangles without the normals of the displaced ones, which would be subdivided in vain.
+/// The triangles without the normals of the displaced ones, which are not used.
 std::vector<Mesh::Triangle> withoutVainNormals(std::span<const Mesh::Triangle> triangles,
                                                OfMaterial ofMaterial) {
     std::vector<Mesh::Triangle> result(triangles.begin(), triangles.end());

@@ -26,11 +26,11 @@ struct Displacement {
 /// the mesh is in the scene (measured): less than 3 GiB in all.
 constexpr uint64_t kMostDisplacedTriangles = uint64_t{1} << 24;
 
-/// The mesh in object space, subdivided and displaced; nullopt where no triangle bears a material
+/// The mesh in object space, subdivided and displaced; nullopt where no triangle has a material
 /// that is displaced. `ofMaterial` is indexed by Mesh::Triangle::material; materials beyond its end
 /// have none.
 ///
-/// All of it is subdivided, as often as the displacement that asks for most, so that it stays
+/// All of it is subdivided, as often as the largest `subdivide`, so that it stays
 /// watertight. Each position (by value, whatever index it has) moves along one direction, the
 /// area-weighted normal of the undisplaced mesh, to one height: the mean over the distinct pairs of
 /// displacement and texture coordinates that triangles there have; triangles that are not displaced

@@ -19,7 +19,7 @@ bool isFinite(const glm::dvec3& v) {
 }
 
 /// The direction of the front's normal, scaled at will; zero exactly where the triangle has no
-/// area. Edges are scaled first, lest tiny triangles underflow and huge ones overflow.
+/// area. Edges are scaled first, against under- and overflow.
 glm::dvec3 scaledNormal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     const glm::dvec3 ab = b - a;
     const glm::dvec3 ac = c - a;

@@ -83,7 +83,7 @@ private:
         refine(
             triangle.position,
             [&](uint32_t a, uint32_t b) {
-                // Halved first, lest the sum overflow; the same from both sides of an edge.
+                // Halved first against overflow; the same from both sides of an edge.
                 return positions_.add(0.5 * positions_[a] + 0.5 * positions_[b]);
             },
             position);

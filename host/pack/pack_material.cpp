@@ -7,6 +7,18 @@
 namespace calotype {
 namespace {
 
+/// What the kernel needs for each lobe.
+struct LobeFeature {
+    uint32_t lobe;
+    uint32_t feature;
+};
+constexpr LobeFeature kLobeFeatures[] = {
+    {shared::kLobeDiffuse, shared::kFeatureDiffuse},
+    {shared::kLobeGgx, shared::kFeatureGgx},
+    {shared::kLobeBlinnPhong, shared::kFeatureBlinnPhong},
+    {shared::kLobeDielectric, shared::kFeatureDielectrics},
+};
+
 bool mayBeMirror(const Material& material) {
     const double alpha = material.roughness * material.roughness;
     return alpha < shared::kMirrorAlpha || material.roughnessTexture != Material::kNoTexture;
@@ -73,11 +85,10 @@ shared::Material packMaterial(const Material& material, std::span<const Texture>
     const auto enable = [&](uint32_t feature, bool needed) {
         features.enabled[feature] = features.enabled[feature] || needed;
     };
-    enable(shared::kFeatureDiffuse, (packed.lobes & shared::kLobeDiffuse) != 0);
-    enable(shared::kFeatureGgx, hasGgx);
+    for (const LobeFeature& lobe : kLobeFeatures) {
+        enable(lobe.feature, (packed.lobes & lobe.lobe) != 0);
+    }
     enable(shared::kFeatureMirrors, hasGgx && mayBeMirror(material));
-    enable(shared::kFeatureBlinnPhong, (packed.lobes & shared::kLobeBlinnPhong) != 0);
-    enable(shared::kFeatureDielectrics, (packed.lobes & shared::kLobeDielectric) != 0);
     enable(shared::kFeatureAlpha, isTransparent(material));
 
     SlotPacker slots(sceneTextures, textures, features);

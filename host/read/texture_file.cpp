@@ -13,7 +13,7 @@ namespace {
 constexpr uintmax_t kLargestFile = uintmax_t{1} << 31;
 
 void failOrWarn(const std::string& name, const std::filesystem::path& directory,
-                const std::string& where, LoadContext& context) {
+                const std::string& where, ReadContext& context) {
     const std::string missing = "there is no image file " + inQuotes(name);
     if (context.options.missingTextures == MissingTextures::Warn) {
         context.warn(where, missing + "; colours show magenta, and other maps are left out");
@@ -28,7 +28,7 @@ void failOrWarn(const std::string& name, const std::filesystem::path& directory,
 } // namespace
 
 TextureFile readTextureFile(const std::string& name, const std::filesystem::path& directory,
-                            const std::string& where, LoadContext& context) {
+                            const std::string& where, ReadContext& context) {
     const auto found = findFile(directory, name);
     if (!found) {
         failOrWarn(name, directory, where, context);

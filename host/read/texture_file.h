@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "read/load_context.h"
+#include "read/read_context.h"
 
 namespace calotype {
 
@@ -18,7 +18,7 @@ struct TextureFile {
 /// Throws SceneError at `where` for a missing file, unless the options say MissingTextures::Warn,
 /// and at the file's path for one that is not an image.
 TextureFile readTextureFile(const std::string& name, const std::filesystem::path& directory,
-                            const std::string& where, LoadContext& context);
+                            const std::string& where, ReadContext& context);
 
 /// One texel of magenta, to show in place of a missing image.
 std::shared_ptr<const TexelImage> magentaImage();

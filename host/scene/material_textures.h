@@ -8,7 +8,7 @@
 
 namespace calotype {
 
-/// Where a material may bear a texture: the closed list.
+/// All texture slots of a material.
 constexpr std::array<uint32_t Material::*, 5> kMaterialTextures = {
     &Material::colorTexture, &Material::roughnessTexture, &Material::specularTexture,
     &Material::normalMap, &Material::alphaTexture};

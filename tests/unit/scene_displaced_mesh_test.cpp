@@ -4,13 +4,13 @@
 
 #include <glm/geometric.hpp>
 
-#include "load_context_fixture.h"
+#include "json_context_fixture.h"
 #include "read/json/shapes.h"
 
 namespace calotype::test {
 namespace {
 
-class SceneDisplacedMesh : public testing::Test, protected LoadContextFixture {
+class SceneDisplacedMesh : public testing::Test, protected JsonContextFixture {
 protected:
     SceneDisplacedMesh() {
         // The height of "opaque" is 128 / 255 everywhere.

@@ -1,13 +1,13 @@
 // Every key of every material, and its errors with their places.
 
-#include "load_context_fixture.h"
+#include "json_context_fixture.h"
 
 namespace calotype::test {
 namespace {
 
 constexpr uint32_t kNoTexture = Material::kNoTexture;
 
-class SceneMaterials : public testing::Test, protected LoadContextFixture {
+class SceneMaterials : public testing::Test, protected JsonContextFixture {
 protected:
     Material read(const std::string& material) {
         readMaterialsFrom("{\"m\": " + material + "}");

@@ -66,14 +66,14 @@ TEST_F(SceneMesh, MaterialsByTheNamesOfTheObj) {
 TEST_F(SceneMesh, MaterialKeysMustFitTheObj) {
     files_.write("m.obj", kTwoMaterials);
     expectError(errorOfLoading(R"(, "materials": {"saet": "wall", "*": "wall"})"),
-                "scene.json: /shapes/0/materials/saet", "its faces bear \"seat\", \"leg\"");
+                "scene.json: /shapes/0/materials/saet", "its faces have \"seat\", \"leg\"");
     expectError(errorOfLoading(R"(, "materials": {"seat": "wall"})"),
                 "scene.json: /shapes/0/materials", "what \"leg\" becomes");
     expectError(errorOfLoading(R"(, "materials": {"*": "wal"})"),
                 "scene.json: /shapes/0/materials/*", "did you mean \"wall\"?");
     files_.write("m.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\nusemtl a\nf 1 2 3\n");
     expectError(errorOfLoading(R"(, "materials": {"a": "wall"})"),
-                "scene.json: /shapes/0/materials", "bear no material; add \"*\"");
+                "scene.json: /shapes/0/materials", "have no material; add \"*\"");
 }
 
 TEST_F(SceneMesh, MtlGivesColourAndEmission) {

@@ -1,6 +1,6 @@
 // Texture coordinates from the scene file and from OBJ files, to the corners of triangles.
 
-#include "load_context_fixture.h"
+#include "json_context_fixture.h"
 #include "read/json/shapes.h"
 #include "read/obj/obj_file.h"
 
@@ -29,7 +29,7 @@ glm::dvec2 uvAt(const Mesh& mesh, size_t triangle, const glm::dvec3& position) {
     return {};
 }
 
-class SceneUvs : public testing::Test, protected LoadContextFixture {
+class SceneUvs : public testing::Test, protected JsonContextFixture {
 protected:
     SceneUvs() {
         readMaterialsFrom(R"({"plain": {"type": "diffuse", "color": 1},

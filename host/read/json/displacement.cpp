@@ -36,7 +36,7 @@ JsonKey displacementKey() {
             "Moves the positions of meshes along their normals."};
 }
 
-Displacement readDisplacement(const JsonValue& value, const LoadContext& context) {
+Displacement readDisplacement(const JsonValue& value, const JsonContext& context) {
     const JsonObject object(value, displacementType());
     Displacement displacement;
     displacement.texture = findTexture(object.required("texture"), context);

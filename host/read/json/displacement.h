@@ -1,8 +1,8 @@
 #pragma once
 
 #include "mesh/displacement.h"
+#include "read/json/json_context.h"
 #include "read/json/object.h"
-#include "read/load_context.h"
 
 namespace calotype {
 
@@ -10,6 +10,6 @@ namespace calotype {
 JsonKey displacementKey();
 
 /// The "displacement" of a mesh or a material.
-Displacement readDisplacement(const JsonValue& value, const LoadContext& context);
+Displacement readDisplacement(const JsonValue& value, const JsonContext& context);
 
 } // namespace calotype

@@ -70,7 +70,7 @@ glm::dvec3 readEmission(const JsonObject& object, double shiningArea) {
 
 JsonType lightType() { return anyOf(lightTypes(), "light"); }
 
-Shape readLight(const JsonValue& value, size_t index, LoadContext& context) {
+Shape readLight(const JsonValue& value, size_t index, JsonContext& context) {
     const auto type = static_cast<Type>(readType(value, lightTypes()));
     const JsonObject object(value, lightTypes()[type]);
     const bool twoSided = object.boolean("two_sided", false);

@@ -2,8 +2,8 @@
 
 #include <cstddef>
 
+#include "read/json/json_context.h"
 #include "read/json/object.h"
-#include "read/load_context.h"
 
 namespace calotype {
 
@@ -12,6 +12,6 @@ JsonType lightType();
 
 /// Element `index` of the scene file's "lights": a shape with a black, emitting material of its
 /// own, which is added to Scene::materials as "light INDEX".
-Shape readLight(const JsonValue& value, size_t index, LoadContext& context);
+Shape readLight(const JsonValue& value, size_t index, JsonContext& context);
 
 } // namespace calotype

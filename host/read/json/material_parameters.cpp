@@ -47,7 +47,7 @@ private:
 struct ParameterReader {
     const MaterialParameter& parameter;
     const std::optional<JsonValue> value;
-    const LoadContext& context;
+    const JsonContext& context;
     Material& material;
 
     void operator()(const NumberParameter& number) const {
@@ -88,7 +88,7 @@ JsonKey keyOf(const MaterialParameter& parameter) {
 }
 
 void readParameter(const MaterialParameter& parameter, const JsonObject& object,
-                   const LoadContext& context, Material& material) {
+                   const JsonContext& context, Material& material) {
     std::visit(ParameterReader{parameter, object.optional(parameter.name), context, material},
                parameter.value);
 }

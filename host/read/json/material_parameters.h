@@ -1,8 +1,8 @@
 #pragma once
 
 #include "materials/material_kind.h"
+#include "read/json/json_context.h"
 #include "read/json/object.h"
-#include "read/load_context.h"
 
 namespace calotype {
 
@@ -11,6 +11,6 @@ JsonKey keyOf(const MaterialParameter& parameter);
 
 /// Sets what the parameter says of `material`, from `object` or to its default.
 void readParameter(const MaterialParameter& parameter, const JsonObject& object,
-                   const LoadContext& context, Material& material);
+                   const JsonContext& context, Material& material);
 
 } // namespace calotype

@@ -70,7 +70,7 @@ uint32_t alphaTextureOf(const Material& material, const Scene& scene) {
     return image && image->image->isTransparent ? material.colorTexture : Material::kNoTexture;
 }
 
-Material readMaterial(const JsonValue& value, const std::string& name, LoadContext& context) {
+Material readMaterial(const JsonValue& value, const std::string& name, JsonContext& context) {
     const size_t index = readType(value, materialTypes());
     const MaterialKind& kind = materialKinds()[index];
     const JsonObject object(value, materialTypes()[index]);
@@ -98,7 +98,7 @@ Material readMaterial(const JsonValue& value, const std::string& name, LoadConte
 
 JsonType materialsType() { return mapType(anyOf(materialTypes(), "material")); }
 
-void readMaterials(const JsonValue& value, LoadContext& context) {
+void readMaterials(const JsonValue& value, JsonContext& context) {
     if (!value.json().is_object()) {
         value.fail("must be an object of materials by name");
     }
@@ -108,7 +108,7 @@ void readMaterials(const JsonValue& value, LoadContext& context) {
     }
 }
 
-uint32_t findMaterial(const JsonValue& reference, const LoadContext& context) {
+uint32_t findMaterial(const JsonValue& reference, const JsonContext& context) {
     const auto& names = context.materialNames;
     const auto found = std::lower_bound(names.begin(), names.end(), reference.text());
     if (found == names.end() || *found != reference.text()) {

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "read/json/json_context.h"
 #include "read/json/object.h"
-#include "read/load_context.h"
 
 namespace calotype {
 
@@ -9,10 +9,10 @@ namespace calotype {
 JsonType materialsType();
 
 /// The scene file's "materials" into Scene::materials, in the order of their names, and their
-/// displacements into LoadContext::displacements.
-void readMaterials(const JsonValue& value, LoadContext& context);
+/// displacements into JsonContext::displacements.
+void readMaterials(const JsonValue& value, JsonContext& context);
 
 /// The index of the material that `reference` names. Throws SceneError if there is none.
-uint32_t findMaterial(const JsonValue& reference, const LoadContext& context);
+uint32_t findMaterial(const JsonValue& reference, const JsonContext& context);
 
 } // namespace calotype

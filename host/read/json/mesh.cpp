@@ -19,7 +19,7 @@ const std::array<std::string, 3> kNormalModes = {"auto", "smooth", "flat"};
 
 /// By material: the mesh's own for all, or else the materials' own.
 std::vector<std::optional<Displacement>> readDisplacements(const JsonObject& mesh,
-                                                           const LoadContext& context) {
+                                                           const JsonContext& context) {
     if (const auto own = mesh.optional("displacement")) {
         return {context.scene.materials.size(), readDisplacement(*own, context)};
     }
@@ -47,7 +47,7 @@ std::vector<JsonKey> meshKeys() {
 
 JsonRule meshMaterialRule() { return exclude("material", "materials"); }
 
-Mesh readMesh(const JsonObject& object, LoadContext& context) {
+Mesh readMesh(const JsonObject& object, JsonContext& context) {
     const JsonValue file = object.required("file");
     const std::string path = (context.directory / file.text()).string();
     ObjMeshInput input{.path = path,
@@ -56,7 +56,7 @@ Mesh readMesh(const JsonObject& object, LoadContext& context) {
                        .displacements = {},
                        .worldFromObject = readTransform(object)};
     input.normals = static_cast<NormalMode>(object.choice("normals", kNormalModes, 0));
-    const std::shared_ptr<const ObjFile> obj = readObj(path, file.where(), context);
+    const std::shared_ptr<const ObjFile> obj = readObj(path, file.where(), context.objs, context);
     input.materials = resolveMeshMaterials(object, *obj, path, context);
     const auto displacements = readDisplacements(object, context);
     input.displacements = displacements;

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "read/json/json_context.h"
 #include "read/json/object.h"
-#include "read/load_context.h"
 
 namespace calotype {
 
@@ -15,6 +15,6 @@ JsonRule meshMaterialRule();
 
 /// A "mesh": an OBJ file, displaced and in world space, its faces' materials resolved to
 /// Scene::materials. Warns where textures are read but texture coordinates missing.
-Mesh readMesh(const JsonObject& object, LoadContext& context);
+Mesh readMesh(const JsonObject& object, JsonContext& context);
 
 } // namespace calotype

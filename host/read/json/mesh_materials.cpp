@@ -15,19 +15,19 @@ namespace {
 constexpr const char* kEveryOther = "*";
 
 std::string listOf(const ObjFile& obj) {
-    return obj.materialNames.empty() ? "its faces bear no materials"
-                                     : "its faces bear " + listInQuotes(obj.materialNames);
+    return obj.materialNames.empty() ? "its faces have no materials"
+                                     : "its faces have " + listInQuotes(obj.materialNames);
 }
 
 std::vector<uint32_t> resolveByName(const JsonValue& map, const ObjFile& obj,
-                                    const std::string& objPath, const LoadContext& context) {
+                                    const std::string& objPath, const JsonContext& context) {
     if (!map.json().is_object()) {
         map.fail("must be an object from the OBJ's material names to materials of the scene");
     }
     const auto& names = obj.materialNames;
     for (const auto& [key, unused] : map.json().items()) {
         if (key != kEveryOther && std::find(names.begin(), names.end(), key) == names.end()) {
-            map.child(key).fail("no face of " + inQuotes(objPath) + " bears the material " +
+            map.child(key).fail("no face of " + inQuotes(objPath) + " has the material " +
                                 inQuotes(key) + "; " + listOf(obj));
         }
     }
@@ -50,7 +50,7 @@ std::vector<uint32_t> resolveByName(const JsonValue& map, const ObjFile& obj,
     }
     if (obj.hasFacesWithoutMaterial && !everyOther) {
         map.fail("some faces of " + inQuotes(objPath) +
-                 " bear no material; add \"*\", which stands for these too");
+                 " have no material; add \"*\", which stands for these too");
     }
     result.push_back(everyOther.value_or(0));
     return result;
@@ -59,14 +59,14 @@ std::vector<uint32_t> resolveByName(const JsonValue& map, const ObjFile& obj,
 } // namespace
 
 std::vector<uint32_t> resolveMeshMaterials(const JsonObject& mesh, const ObjFile& obj,
-                                           const std::string& objPath, LoadContext& context) {
+                                           const std::string& objPath, JsonContext& context) {
     if (const auto material = mesh.optional("material")) {
         return {findMaterial(*material, context)};
     }
     if (const auto materials = mesh.optional("materials")) {
         return resolveByName(*materials, obj, objPath, context);
     }
-    return materialsFromMtl(obj, objPath, context);
+    return materialsFromMtl(obj, objPath, UndefinedMaterials::Fail, context.objs, context);
 }
 
 } // namespace calotype

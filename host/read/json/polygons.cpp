@@ -57,7 +57,7 @@ std::vector<glm::dvec2> readUvs(const JsonObject& object, PolygonUse use,
 
 Mesh makeMesh(const JsonObject& object, const std::vector<glm::dvec3>& vertices,
               const std::vector<glm::dvec2>& uvs, const std::vector<Mesh::Triangle>& triangles,
-              LoadContext& context) {
+              JsonContext& context) {
     const JsonValue place = object.value();
     auto [mesh, dropped] = buildMesh({vertices, {}, uvs, triangles}, readTransform(object),
                                      NormalMode::Flat, place.where());
@@ -106,14 +106,14 @@ std::vector<JsonKey> quadKeys(PolygonUse use) {
 }
 
 Mesh readTriangle(const JsonObject& object, uint32_t material, PolygonUse use,
-                  LoadContext& context) {
+                  JsonContext& context) {
     const std::vector<glm::dvec3> vertices = readVertices(object, 3);
     const auto uvs = readUvs(object, use, {{0, 0}, {1, 0}, {0, 1}});
     return makeMesh(object, vertices, uvs, {flatTriangle(0, 1, 2, material, !uvs.empty())},
                     context);
 }
 
-Mesh readQuad(const JsonObject& object, uint32_t material, PolygonUse use, LoadContext& context) {
+Mesh readQuad(const JsonObject& object, uint32_t material, PolygonUse use, JsonContext& context) {
     const std::vector<glm::dvec3> vertices = readVertices(object, 4);
     checkPlanar(vertices, object.required("vertices"));
     const auto uvs = readUvs(object, use, {{0, 0}, {1, 0}, {1, 1}, {0, 1}});

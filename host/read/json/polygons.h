@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "read/json/json_context.h"
 #include "read/json/object.h"
-#include "read/load_context.h"
 
 namespace calotype {
 
@@ -17,7 +17,7 @@ std::vector<JsonKey> quadKeys(PolygonUse use);
 /// A "triangle" or "quad" as a mesh in world space; a quad is the triangles 012 and 023. Throws
 /// SceneError for corners without an area, and for a quad's that lie off one plane.
 Mesh readTriangle(const JsonObject& object, uint32_t material, PolygonUse use,
-                  LoadContext& context);
-Mesh readQuad(const JsonObject& object, uint32_t material, PolygonUse use, LoadContext& context);
+                  JsonContext& context);
+Mesh readQuad(const JsonObject& object, uint32_t material, PolygonUse use, JsonContext& context);
 
 } // namespace calotype

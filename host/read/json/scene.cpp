@@ -10,6 +10,7 @@
 #include "read/json/color.h"
 #include "read/json/document.h"
 #include "read/json/film.h"
+#include "read/json/json_context.h"
 #include "read/json/lights.h"
 #include "read/json/materials.h"
 #include "read/json/object.h"
@@ -17,7 +18,6 @@
 #include "read/json/schema_text.h"
 #include "read/json/shapes.h"
 #include "read/json/textures.h"
-#include "read/load_context.h"
 
 namespace calotype {
 namespace {
@@ -47,7 +47,7 @@ const JsonObjectType& sceneObject() {
     return type;
 }
 
-void readScene(const JsonObject& root, LoadContext& context) {
+void readScene(const JsonObject& root, JsonContext& context) {
     Scene& scene = context.scene;
     scene.camera = readCamera(root.required("camera"));
     if (const auto film = root.optional("film")) {
@@ -85,7 +85,7 @@ SceneAndNotes readJsonScene(const std::string& path, const LoadOptions& options)
     for (const SceneOverride& override : options.overrides) {
         applyOverride(document, override);
     }
-    LoadContext context(options, path);
+    JsonContext context(options, path);
     nlohmann::json hashed = document;
     if (hashed.is_object()) {
         hashed.erase("render"); // its settings are compared one by one where scenes are compared

@@ -38,7 +38,7 @@ const JsonObjectTypes& shapeTypes() {
 }
 
 /// Of a shape that is not a "mesh".
-void warnOfDisplacement(const Shape& shape, LoadContext& context) {
+void warnOfDisplacement(const Shape& shape, JsonContext& context) {
     if (context.displacements[shape.material]) {
         context.warn(shape.place, "the displacement of the material " +
                                       inQuotes(context.scene.materials[shape.material].name) +
@@ -50,7 +50,7 @@ void warnOfDisplacement(const Shape& shape, LoadContext& context) {
 
 JsonType shapeType() { return anyOf(shapeTypes(), "shape"); }
 
-Shape readShape(const JsonValue& value, LoadContext& context) {
+Shape readShape(const JsonValue& value, JsonContext& context) {
     const auto type = static_cast<Type>(readType(value, shapeTypes()));
     const JsonObject object(value, shapeTypes()[type]);
     Shape shape;

@@ -1,12 +1,12 @@
 #pragma once
 
+#include "read/json/json_context.h"
 #include "read/json/object.h"
-#include "read/load_context.h"
 
 namespace calotype {
 
 /// An element of the scene file's "shapes".
 JsonType shapeType();
-Shape readShape(const JsonValue& value, LoadContext& context);
+Shape readShape(const JsonValue& value, JsonContext& context);
 
 } // namespace calotype

@@ -52,7 +52,7 @@ const JsonObjectTypes& textureTypes() {
     return types;
 }
 
-ImageTexture readImage(const JsonObject& object, LoadContext& context) {
+ImageTexture readImage(const JsonObject& object, JsonContext& context) {
     ImageTexture image;
     image.wrap = static_cast<TextureWrap>(object.choice("wrap", kWraps, 0));
     image.filter = static_cast<TextureFilter>(object.choice("filter", kFilters, 0));
@@ -67,7 +67,7 @@ CheckerTexture readChecker(const JsonObject& object) {
     return {{readColor(colors[0], ranges::kShare), readColor(colors[1], ranges::kShare)}};
 }
 
-Texture readTexture(const JsonValue& value, const std::string& name, LoadContext& context) {
+Texture readTexture(const JsonValue& value, const std::string& name, JsonContext& context) {
     const size_t type = readType(value, textureTypes());
     const JsonObject object(value, textureTypes()[type]);
     Texture texture;
@@ -93,7 +93,7 @@ Texture readTexture(const JsonValue& value, const std::string& name, LoadContext
 
 JsonType texturesType() { return mapType(anyOf(textureTypes(), "texture")); }
 
-void readTextures(const JsonValue& value, LoadContext& context) {
+void readTextures(const JsonValue& value, JsonContext& context) {
     if (!value.json().is_object()) {
         value.fail("must be an object of textures by name");
     }
@@ -103,7 +103,7 @@ void readTextures(const JsonValue& value, LoadContext& context) {
     }
 }
 
-uint32_t findTexture(const JsonValue& reference, const LoadContext& context) {
+uint32_t findTexture(const JsonValue& reference, const JsonContext& context) {
     const auto& names = context.textureNames;
     const auto found = std::lower_bound(names.begin(), names.end(), reference.text());
     if (found == names.end() || *found != reference.text()) {
@@ -113,7 +113,7 @@ uint32_t findTexture(const JsonValue& reference, const LoadContext& context) {
     return static_cast<uint32_t>(found - names.begin());
 }
 
-uint32_t findImage(const JsonValue& reference, const LoadContext& context) {
+uint32_t findImage(const JsonValue& reference, const JsonContext& context) {
     const uint32_t texture = findTexture(reference, context);
     if (!std::holds_alternative<ImageTexture>(context.scene.textures[texture].source)) {
         reference.fail("must name a texture of the type \"image\"; " + inQuotes(reference.text()) +

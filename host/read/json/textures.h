@@ -1,7 +1,7 @@
 #pragma once
 
+#include "read/json/json_context.h"
 #include "read/json/object.h"
-#include "read/load_context.h"
 
 namespace calotype {
 
@@ -9,12 +9,12 @@ namespace calotype {
 JsonType texturesType();
 
 /// The scene file's "textures" into Scene::textures, in the order of their names.
-void readTextures(const JsonValue& value, LoadContext& context);
+void readTextures(const JsonValue& value, JsonContext& context);
 
 /// The index of the texture that `reference` names. Throws SceneError if there is none.
-uint32_t findTexture(const JsonValue& reference, const LoadContext& context);
+uint32_t findTexture(const JsonValue& reference, const JsonContext& context);
 
 /// The same, of one that must be an image; Material::kNoTexture where its file is missing.
-uint32_t findImage(const JsonValue& reference, const LoadContext& context);
+uint32_t findImage(const JsonValue& reference, const JsonContext& context);
 
 } // namespace calotype

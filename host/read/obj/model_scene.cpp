@@ -14,9 +14,9 @@
 #include "math/bounds.h"
 #include "math/rotation.h"
 #include "read/frame_camera.h"
-#include "read/load_context.h"
 #include "read/obj/mtl_library.h"
 #include "read/obj/obj_mesh.h"
+#include "read/read_context.h"
 
 namespace calotype {
 namespace {
@@ -83,13 +83,15 @@ ModelExtent extentOf(const Mesh& mesh, const std::string& path) {
     return extent;
 }
 
-Shape readModel(const std::string& path, LoadContext& context) {
-    const std::shared_ptr<const ObjFile> obj = readObj(path, path, context);
-    const ObjMeshInput input{.path = path,
-                             .where = path,
-                             .materials = materialsFromMtl(*obj, path, context),
-                             .displacements = {},
-                             .worldFromObject = {}};
+Shape readModel(const std::string& path, ReadContext& context) {
+    ObjCache cache;
+    const std::shared_ptr<const ObjFile> obj = readObj(path, path, cache, context);
+    const ObjMeshInput input{
+        .path = path,
+        .where = path,
+        .materials = materialsFromMtl(*obj, path, UndefinedMaterials::Grey, cache, context),
+        .displacements = {},
+        .worldFromObject = {}};
     return {.geometry = buildObjMesh(*obj, input, context), .place = path};
 }
 
@@ -103,7 +105,7 @@ Camera placeCamera(const Mesh& mesh, const ModelExtent& extent) {
     return camera;
 }
 
-void addFloor(const ModelExtent& extent, const Camera& camera, LoadContext& context) {
+void addFloor(const ModelExtent& extent, const Camera& camera, ReadContext& context) {
     Material grey;
     grey.name = "floor";
     grey.color = glm::dvec3(kFloorReflectance);
@@ -115,7 +117,7 @@ void addFloor(const ModelExtent& extent, const Camera& camera, LoadContext& cont
     context.scene.shapes.push_back({disk, context.addMaterial(grey), "floor"});
 }
 
-void addLight(const LightPlan& plan, const ModelExtent& extent, LoadContext& context) {
+void addLight(const LightPlan& plan, const ModelExtent& extent, ReadContext& context) {
     Material material;
     material.name = plan.name;
     material.emission = glm::dvec3(plan.radiance);
@@ -145,8 +147,7 @@ SceneAndNotes readModelScene(const std::string& path, const LoadOptions& options
                              " is a model, not a scene file, so there are no values to "
                              "set; name the model in a scene as a \"mesh\"");
     }
-    LoadContext context(options, path);
-    context.toleratesUndefinedMaterials = true;
+    ReadContext context(options, path);
     Scene& scene = context.scene;
     scene.render.maxBounces = kMaxBounces;
     scene.background = glm::dvec3(kBackground);

@@ -16,7 +16,7 @@ namespace {
 
 /// Statements that mean nothing to a path tracer.
 constexpr std::array<std::string_view, 4> kWithoutEffect = {"ka", "map_ka", "sharpness", "map_aat"};
-/// Statements that ask for nothing when all their numbers are 0.
+/// Statements without effect when all their numbers are 0.
 constexpr std::array<std::string_view, 6> kNeutralAtZero = {"kt",  "ps",    "pc",
                                                             "pcr", "aniso", "anisor"};
 

@@ -30,7 +30,7 @@ std::vector<std::string> splitNames(const std::string& text) {
 /// All MTL files of an OBJ together; the first definition of a name counts.
 class MtlLibrary {
 public:
-    MtlLibrary(const ObjFile& obj, const std::filesystem::path& directory, LoadContext& context) {
+    MtlLibrary(const ObjFile& obj, const std::filesystem::path& directory, ReadContext& context) {
         for (const std::string& library : obj.libraries) {
             // Many exporters write names with blanks as they are.
             if (const auto path = findFile(directory, library)) {
@@ -65,14 +65,14 @@ public:
                                     "\"materials\" instead");
     }
 
-    void warnOfMissing(const std::string& where, LoadContext& context) const {
+    void warnOfMissing(const std::string& where, ReadContext& context) const {
         if (!missing_.empty()) {
             context.warn(where, "cannot read " + listInQuotes(missing_));
         }
     }
 
 private:
-    void read(const std::filesystem::path& path, LoadContext& context) {
+    void read(const std::filesystem::path& path, ReadContext& context) {
         const std::string text = readFile(path.string(), path.string());
         context.hash.add(text);
         materials_.merge(parseMtl(text, path.string()));
@@ -82,7 +82,7 @@ private:
     std::vector<std::string> missing_;
 };
 
-/// Statements, and options of textures, that an OBJ's materials ask for in vain.
+/// Statements, and options of textures, that have no effect.
 struct Ignored {
     std::set<std::string> statements;
     std::set<std::string> options;
@@ -97,7 +97,7 @@ struct Ignored {
         }
     }
 
-    void warn(const std::string& where, LoadContext& context) const {
+    void warn(const std::string& where, ReadContext& context) const {
         const auto warnOf = [&](const char* what, const std::set<std::string>& names) {
             if (!names.empty()) {
                 const std::vector<std::string> list(names.begin(), names.end());
@@ -114,8 +114,9 @@ struct Ignored {
 } // namespace
 
 std::vector<uint32_t> materialsFromMtl(const ObjFile& obj, const std::string& objPath,
-                                       LoadContext& context) {
-    std::vector<uint32_t>& result = context.mtlMaterials[objPath];
+                                       UndefinedMaterials undefined, ObjCache& cache,
+                                       ReadContext& context) {
+    std::vector<uint32_t>& result = cache.mtlMaterials[objPath];
     if (!result.empty()) {
         return result;
     }
@@ -138,7 +139,7 @@ std::vector<uint32_t> materialsFromMtl(const ObjFile& obj, const std::string& ob
             if (mtl != nullptr) {
                 material = materialFromMtl(*mtl, name, maps, notes);
                 ignored.add(*mtl);
-            } else if (context.toleratesUndefinedMaterials) {
+            } else if (undefined == UndefinedMaterials::Grey) {
                 notes.add("a neutral grey stands for the undefined material", name);
             } else {
                 library.failUndefined(name, objPath + ":" + std::to_string(obj.materialLines[i]));
@@ -147,7 +148,7 @@ std::vector<uint32_t> materialsFromMtl(const ObjFile& obj, const std::string& ob
             material.place = objPath;
             result.push_back(context.addMaterial(material));
         }
-        if (context.toleratesUndefinedMaterials) {
+        if (undefined == UndefinedMaterials::Grey) {
             library.warnOfMissing(objPath, context);
         }
     }

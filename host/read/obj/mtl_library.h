@@ -1,14 +1,25 @@
 #pragma once
 
-#include "read/load_context.h"
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "read/obj/obj_cache.h"
+#include "read/read_context.h"
 
 namespace calotype {
 
+/// What to do with a material that no MTL file defines.
+enum class UndefinedMaterials : uint8_t {
+    Fail, ///< throw SceneError at "OBJPATH:LINE"
+    Grey, ///< take the grey of faces without a material, with a warning
+};
+
 /// Adds to Scene::materials what the OBJ's MTL files say of its materials, once for each OBJ. One
 /// index for each of ObjFile::materialNames and, last, one for faces without a material, which are
-/// a grey of 0.5. Throws SceneError at "OBJPATH:LINE" where a material is in none of the files that
-/// can be read, unless the context tolerates that: then it is the same grey, with a warning.
+/// a grey of 0.5.
 std::vector<uint32_t> materialsFromMtl(const ObjFile& obj, const std::string& objPath,
-                                       LoadContext& context);
+                                       UndefinedMaterials undefined, ObjCache& cache,
+                                       ReadContext& context);
 
 } // namespace calotype

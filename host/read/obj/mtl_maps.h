@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "read/load_context.h"
 #include "read/obj/mtl_texture.h"
+#include "read/read_context.h"
 
 namespace calotype {
 
@@ -12,7 +12,7 @@ namespace calotype {
 /// Scene::textures. `directory` is the MTL file's.
 class MtlMaps {
 public:
-    explicit MtlMaps(LoadContext& context) : context_(context) {}
+    explicit MtlMaps(ReadContext& context) : context_(context) {}
 
     /// A missing image shows as magenta.
     uint32_t color(const MtlTexture& map, const std::filesystem::path& directory);
@@ -36,7 +36,7 @@ private:
                        const std::string& recipe, Convert convert);
     uint32_t add(const MtlTexture& map, std::shared_ptr<const TexelImage> image);
 
-    LoadContext& context_;
+    ReadContext& context_;
 };
 
 } // namespace calotype

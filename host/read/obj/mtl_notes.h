@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/names.h"
-#include "read/load_context.h"
+#include "read/read_context.h"
 
 namespace calotype {
 
@@ -21,7 +21,7 @@ public:
         }
     }
 
-    void warn(const std::string& where, LoadContext& context) const {
+    void warn(const std::string& where, ReadContext& context) const {
         for (const auto& [remark, materials] : notes_) {
             context.warn(where, remark + " in " + listInQuotes(materials));
         }

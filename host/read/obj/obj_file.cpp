@@ -155,10 +155,10 @@ ObjFile parseObj(std::string_view text, const std::string& path) {
         throw SceneError(path,
                          "the file has no faces; points, lines and curves cannot be rendered");
     }
-    std::string tidy;
+    std::string rewritten;
     if (outline.needsRewriting || text.find('\\') != std::string_view::npos) {
-        tidy = textForTinyobj(text);
-        text = tidy;
+        rewritten = textForTinyobj(text);
+        text = rewritten;
     }
     ObjFile file;
     Receiver receiver(file, outline);

@@ -24,8 +24,8 @@ struct ObjFile {
     /// zero, not finite or missing have Mesh::kNoNormal in all corners; those one of whose texture
     /// coordinates is missing, Mesh::kNoUv.
     std::vector<Mesh::Triangle> triangles;
-    std::vector<std::string> materialNames; ///< those that faces bear
-    std::vector<size_t> materialLines;      ///< of the first face that bears each
+    std::vector<std::string> materialNames; ///< those that faces use
+    std::vector<size_t> materialLines;      ///< of the first face that uses each
     std::vector<std::string> libraries;     ///< what follows each "mtllib"
     bool hasFacesWithoutMaterial = false;
     uint64_t crossingPolygons = 0; ///< cut into triangles that may overlap

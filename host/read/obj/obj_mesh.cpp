@@ -13,7 +13,7 @@ namespace calotype {
 namespace {
 
 void warnOfMissingUvs(std::span<const Mesh::Triangle> triangles, const ObjMeshInput& input,
-                      LoadContext& context) {
+                      ReadContext& context) {
     std::set<uint32_t> lacking;
     for (const Mesh::Triangle& triangle : triangles) {
         if (triangle.uv[0] == Mesh::kNoUv) {
@@ -33,8 +33,8 @@ void warnOfMissingUvs(std::span<const Mesh::Triangle> triangles, const ObjMeshIn
 } // namespace
 
 std::shared_ptr<const ObjFile> readObj(const std::string& path, const std::string& where,
-                                       LoadContext& context) {
-    std::shared_ptr<const ObjFile>& cached = context.objFiles[path];
+                                       ObjCache& cache, ReadContext& context) {
+    std::shared_ptr<const ObjFile>& cached = cache.files[path];
     if (!cached) {
         context.progress(path, 0.0);
         const std::string text = readFile(path, where);
@@ -50,7 +50,7 @@ std::shared_ptr<const ObjFile> readObj(const std::string& path, const std::strin
     return cached;
 }
 
-Mesh buildObjMesh(const ObjFile& obj, const ObjMeshInput& input, LoadContext& context) {
+Mesh buildObjMesh(const ObjFile& obj, const ObjMeshInput& input, ReadContext& context) {
     std::vector<Mesh::Triangle> triangles = obj.triangles;
     for (Mesh::Triangle& triangle : triangles) {
         triangle.material =

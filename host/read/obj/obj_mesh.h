@@ -10,15 +10,16 @@
 #include "math/affine_transform.h"
 #include "mesh/displacement.h"
 #include "mesh/mesh_builder.h"
-#include "read/load_context.h"
+#include "read/obj/obj_cache.h"
 #include "read/obj/obj_file.h"
+#include "read/read_context.h"
 
 namespace calotype {
 
-/// The OBJ file at `path`, read once however many meshes name it. Throws SceneError at `where` if
-/// it cannot be read. Warns of polygons that cannot be cut properly.
+/// The OBJ file at `path`, of `cache` or read now. Throws SceneError at `where` if it cannot be
+/// read. Warns of polygons that cannot be cut properly.
 std::shared_ptr<const ObjFile> readObj(const std::string& path, const std::string& where,
-                                       LoadContext& context);
+                                       ObjCache& cache, ReadContext& context);
 
 /// What else a mesh of an OBJ is made from.
 struct ObjMeshInput {
@@ -35,6 +36,6 @@ struct ObjMeshInput {
 
 /// The OBJ as a mesh in world space, displaced. Warns where textures are read but texture
 /// coordinates missing, and of triangles without an area, which are left out.
-Mesh buildObjMesh(const ObjFile& obj, const ObjMeshInput& input, LoadContext& context);
+Mesh buildObjMesh(const ObjFile& obj, const ObjMeshInput& input, ReadContext& context);
 
 } // namespace calotype

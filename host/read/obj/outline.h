@@ -11,7 +11,7 @@ namespace calotype {
 struct ObjOutline {
     static constexpr uint32_t kNoMaterial = ~0u;
 
-    /// From polygon `firstPolygon` on, faces bear `materialNames[material]`, or none.
+    /// From polygon `firstPolygon` on, faces use `materialNames[material]`, or none.
     struct MaterialRun {
         size_t firstPolygon;
         uint32_t material;
@@ -21,8 +21,8 @@ struct ObjOutline {
     size_t uvs = 0;
     size_t polygons = 0;
     size_t corners = 0;
-    std::vector<std::string> materialNames; ///< those that faces bear, in the order of first use
-    std::vector<size_t> materialLines;      ///< of the first face that bears each
+    std::vector<std::string> materialNames; ///< those that faces use, in the order of first use
+    std::vector<size_t> materialLines;      ///< of the first face that uses each
     std::vector<MaterialRun> materialRuns;
     std::vector<std::string> libraries;   ///< what follows each "mtllib"
     std::vector<size_t> nonFiniteNormals; ///< indices of normals with a NaN or an infinity

@@ -5,17 +5,17 @@
 
 #include <nlohmann/json.hpp>
 
+#include "read/json/json_context.h"
 #include "read/json/materials.h"
-#include "read/load_context.h"
 #include "scene_files.h"
 
 namespace calotype::test {
 
 /// What the readers share, filled by hand: textures "opaque" and "holes" (images, the second
 /// transparent, of one texel of half grey) and "tiles" (a checker of 0 and 1).
-class LoadContextFixture {
+class JsonContextFixture {
 public:
-    LoadContextFixture() {
+    JsonContextFixture() {
         addImage("holes", true);
         addImage("opaque", false);
         context.addTexture({"tiles", CheckerTexture{{glm::dvec3(0.0), glm::dvec3(1.0)}}});
@@ -36,7 +36,7 @@ public:
 
     const LoadOptions options;
     SceneFiles files;
-    LoadContext context{options, files.path("scene.json")};
+    JsonContext context{options, files.path("scene.json")};
 
     static constexpr uint32_t kHoles = 0;
     static constexpr uint32_t kOpaque = 1;
