@@ -21,8 +21,8 @@ bool isPositive(double value) { return value > 0.0; }
 
 double luminance(const glm::dvec3& rgb) { return glm::dot(rgb, {0.2126, 0.7152, 0.0722}); }
 
-/// A density per area, 1 / area, as one per solid angle (report eq. 1.36). Zero edge on, and where
-/// the point is the reference itself.
+/// The density 1 / area as one per solid angle (docs/models.md, "Direct light"). Zero edge on, and
+/// where the point is the reference itself.
 double solidAnglePdf(double area, const glm::dvec3& reference, const glm::dvec3& position,
                      const glm::dvec3& normal) {
     const glm::dvec3 d = position - reference;

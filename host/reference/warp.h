@@ -12,14 +12,14 @@ namespace calotype::reference {
 
 inline constexpr double kPi = std::numbers::pi;
 
-/// Uniform on the unit disk (report eq. 1.39).
+/// Uniform on the unit disk: r = sqrt(u1), phi = 2 pi u2.
 inline glm::dvec2 warpToDisk(const glm::dvec2& u) {
     const double r = std::sqrt(u.x);
     const double phi = 2.0 * kPi * u.y;
     return {r * std::cos(phi), r * std::sin(phi)};
 }
 
-/// Weights of a triangle's second and third corner, uniform on its area (report eq. 1.38).
+/// Uniform on a triangle: weights of corners two and three (docs/models.md, "Triangle light").
 inline glm::dvec2 warpToTriangle(const glm::dvec2& u) {
     const double root = std::sqrt(u.x);
     return {root * (1.0 - u.y), root * u.y};
@@ -35,7 +35,7 @@ inline glm::dvec3 directionAt(double z, double turns) {
 /// Uniform on the unit sphere. Density 1 / (4 pi).
 inline glm::dvec3 warpToSphere(const glm::dvec2& u) { return directionAt(1.0 - 2.0 * u.x, u.y); }
 
-/// Cosine-weighted about +z (report eq. 1.22, 1.23). Density cos / pi.
+/// Cosine-weighted about +z (docs/models.md, "Lambert"). Density cos / pi.
 inline glm::dvec3 warpToCosineHemisphere(const glm::dvec2& u) {
     return directionAt(std::sqrt(1.0 - u.x), u.y);
 }

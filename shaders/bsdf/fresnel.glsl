@@ -2,8 +2,8 @@
 #ifndef CALOTYPE_BSDF_FRESNEL_GLSL
 #define CALOTYPE_BSDF_FRESNEL_GLSL
 
-/// Schlick's approximation (report eq. 1.29) for the cosine between direction and normal, in [0,
-/// 1].
+/// Schlick's approximation (docs/models.md, "Fresnel, Schlick") for the cosine between direction
+/// and normal, in [0, 1].
 vec3 fresnelSchlick(vec3 f0, float cosTheta) {
     float m = 1.0 - min(cosTheta, 1.0);
     float m2 = m * m;

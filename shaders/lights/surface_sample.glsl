@@ -11,7 +11,7 @@ struct SurfaceSample {
     vec2 coordinates; ///< barycentrics on a triangle, texture coordinates on a quadric
 };
 
-/// A density per area, 1 / area, as one per solid angle (report eq. 1.36):
+/// The density 1 / area as one per solid angle (docs/models.md, "Direct light"):
 /// distance^2 / (cos theta area). Zero edge on.
 float solidAnglePdf(float area, vec3 reference, vec3 position, vec3 normal) {
     vec3 d = position - reference;

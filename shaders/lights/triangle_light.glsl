@@ -1,4 +1,4 @@
-// Uniform points on a triangle (report eq. 1.38).
+// Uniform points on a triangle (docs/models.md, "Triangle light").
 #ifndef CALOTYPE_LIGHTS_TRIANGLE_LIGHT_GLSL
 #define CALOTYPE_LIGHTS_TRIANGLE_LIGHT_GLSL
 
