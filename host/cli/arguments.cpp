@@ -60,4 +60,17 @@ void addDisplayOptions(CLI::App& command, DisplayTransform& display) {
               "How PNGs treat bright light: " + std::string(kToneMapNames), "NAME");
 }
 
+void addStageOptions(CLI::App& command, StageList& stages) {
+    for (const Stage& stage : allStages())
+        command.add_flag_callback(
+            "--" + stage.name, [&stages, &stage] { stages.push_back(&stage); }, stage.help);
+}
+
+void addLayerOption(CLI::App& command, LayerList& layers, const LayerList& available) {
+    std::string description = "Layers of .exr outputs, separated by commas:";
+    for (const Layer* layer : available)
+        description += "\n" + layer->name + ": " + layer->help;
+    addParsed(command, "--aov", layers, parseLayers, description, "LIST");
+}
+
 } // namespace calotype

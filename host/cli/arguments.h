@@ -18,6 +18,10 @@ void addDeviceOptions(CLI::App& command, DeviceOptions& device, const std::strin
 void addBvhOption(CLI::App& command, std::optional<BvhBuilder>& bvh);
 void addSamplerOption(CLI::App& command, Sampler& sampler);
 void addDisplayOptions(CLI::App& command, DisplayTransform& display);
+/// A flag for each stage of the table.
+void addStageOptions(CLI::App& command, StageList& stages);
+/// Names the layers that are available.
+void addLayerOption(CLI::App& command, LayerList& layers, const LayerList& available);
 
 CLI::App& addRenderCommand(CLI::App& app, RenderOptions& options);
 

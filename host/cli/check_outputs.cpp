@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "cli/output_claims.h"
+#include "film/develop.h"
 #include "image/image_format.h"
 
 namespace calotype {
@@ -12,9 +13,8 @@ namespace {
 
 bool isExr(const std::string& path) { return imageFormatOf(path) == ImageFormat::Exr; }
 
-void requireExrFor(const LayerOptions& layers, const std::vector<std::string>& outputs) {
-    const bool wantsLayers = layers.errors || !layers.firstHits.empty();
-    if (wantsLayers && std::ranges::none_of(outputs, isExr))
+void requireExrFor(const LayerList& layers, const std::vector<std::string>& outputs) {
+    if (!layers.empty() && std::ranges::none_of(outputs, isExr))
         throw UsageError("--aov writes layers of EXR files, and no output is one; add -o FILE.exr");
 }
 
@@ -69,8 +69,14 @@ void checkOutputs(const MergeOptions& options) {
                              std::string(kImageExtensions) + ")");
     }
     requireExrFor(options.layers, options.outputs);
-    if (!options.layers.firstHits.empty())
-        throw UsageError("films hold no first hits; of the layers of --aov, merge writes 'error'");
+    if (hasSource(options.layers, LayerSource::FirstHit))
+        throw UsageError("films hold no first hits; of the layers of --aov, merge writes " +
+                         namesOf(layersOfFilms()));
+    for (const Stage* stage : options.stages)
+        if (hasSource(neededLayers({}, {stage}), LayerSource::FirstHit))
+            throw UsageError(
+                "--" + stage->name +
+                " needs layers of first hits, and films hold none; use it with render");
 }
 
 } // namespace calotype

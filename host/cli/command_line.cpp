@@ -80,8 +80,8 @@ CLI::App& addMergeCommand(CLI::App& app, MergeOptions& options) {
         ->type_name("FILE")
         ->expected(1)
         ->take_all();
-    addParsed(command, "--aov", options.layers, parseLayers,
-              "Layer of .exr outputs: error, of each pixel's luminance", "error");
+    addLayerOption(command, options.layers, layersOfFilms());
+    addStageOptions(command, options.stages);
     addDisplayOptions(command, options.display);
     return command;
 }

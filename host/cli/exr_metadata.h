@@ -3,11 +3,11 @@
 #include <cstdint>
 
 #include "film/film_file.h"
-#include "image/exr.h"
+#include "image/picture.h"
 
 namespace calotype {
 
-/// What an EXR file says of how its picture came about.
-ExrMetadata exrMetadata(const FilmLabel& label, uint64_t samplesPerPixel, double seconds);
+/// Sets the picture's metadata, which say how it was made, and its place in the whole picture.
+void describe(Picture& picture, const FilmLabel& label, uint64_t samplesPerPixel, double seconds);
 
 } // namespace calotype

@@ -3,10 +3,11 @@
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/exr_metadata.h"
-#include "film/error_estimate.h"
+#include "film/develop.h"
 #include "film/film_file.h"
-#include "film/write_image.h"
+#include "film/write_picture.h"
 #include "image/image_format.h"
+#include "image/layers.h"
 #include "shared/limits.h"
 
 namespace calotype {
@@ -16,7 +17,7 @@ namespace {
 void join(KeptFilm& joined, const std::string& path) {
     const KeptFilm next = readFilm(path);
     requireSameOrigin(path, next, joined.label, joined.film.width(), joined.film.height(),
-                      joined.film.unit());
+                      joined.film.unit(), joined.film.channels());
     if (const BlockRange both = joined.film.blocks().firstOverlap(next.film.blocks()); both.end > 0)
         throw SceneError(path, "the film cannot be joined: the samples " + sampleText(both) +
                                    " are in a film before it too");
@@ -24,14 +25,11 @@ void join(KeptFilm& joined, const std::string& path) {
     joined.label.devices.insert(next.label.devices.begin(), next.label.devices.end());
 }
 
-void writePicture(const std::string& path, const KeptFilm& kept, const MergeOptions& options) {
-    std::vector<PixelError> errors;
-    if (options.layers.errors)
-        errors = pixelErrors(kept.film);
-    ExrLayers layers;
-    layers.errors = errors;
-    writeImage(path, kept.film.picture(), options.display,
-               exrMetadata(kept.label, kept.film.samplesPerPixel(), 0.0), layers);
+Picture pictureOf(const KeptFilm& kept, const MergeOptions& options) {
+    Picture picture = develop(kept.film.picture(), options.layers, options.stages,
+                              [&](const Layer& layer) { return channelsOf(layer, kept.film); });
+    describe(picture, kept.label, kept.film.samplesPerPixel(), 0.0);
+    return picture;
 }
 
 } // namespace
@@ -43,7 +41,7 @@ int mergeCommand(const MergeOptions& options) {
         join(joined, options.films[i]);
     for (const std::string& path : options.outputs) {
         if (imageFormatOf(path))
-            writePicture(path, joined, options);
+            writePicture(path, pictureOf(joined, options), options.display);
         else
             writeFilm(path, joined.label, joined.film);
     }

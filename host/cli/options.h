@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "film/display_transform.h"
-#include "image/exr_layers.h"
+#include "film/stages.h"
+#include "image/layers.h"
 #include "read/load.h"
 #include "settings/bvh_builder.h"
 #include "settings/light_choice.h"
@@ -46,12 +47,6 @@ struct FilmOptions {
     static constexpr double kCheckpointSeconds = 60.0;
 };
 
-/// Layers of the EXR outputs, beside the picture.
-struct LayerOptions {
-    std::vector<FirstHitLayer> firstHits;
-    bool errors = false;
-};
-
 struct RenderOptions {
     SceneOptions scene;
     DeviceOptions device;
@@ -72,7 +67,8 @@ struct RenderOptions {
     std::optional<PictureSize> size;
     std::optional<Crop> crop;
     DisplayTransform display;
-    LayerOptions layers;
+    LayerList layers; ///< of the EXR outputs, beside the picture
+    StageList stages;
     PreviewInterval previewInterval;
     std::string previewFile; ///< empty: the first output
     std::string statsFile;   ///< empty: none
@@ -99,7 +95,8 @@ struct MergeOptions {
     std::vector<std::string> films;
     std::vector<std::string> outputs; ///< films, or pictures by their extensions
     DisplayTransform display;
-    LayerOptions layers;
+    LayerList layers; ///< of the EXR outputs, beside the picture
+    StageList stages;
 };
 
 struct StudyOptions {

@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
-#include <set>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -48,14 +47,13 @@ std::optional<std::vector<uint32_t>> parseList(std::string_view text, char separ
     return numbers;
 }
 
-FirstHitLayer parseLayer(std::string_view name) {
-    const auto found = std::ranges::find(kFirstHitLayerNames, name);
-    if (found == kFirstHitLayerNames.end()) {
-        std::vector<std::string> names(kFirstHitLayerNames.begin(), kFirstHitLayerNames.end());
-        names.push_back(kErrorLayerName);
-        throw UsageError("--aov has no layer " + inQuotes(name) + suggestion(name, names));
-    }
-    return static_cast<FirstHitLayer>(found - kFirstHitLayerNames.begin());
+const Layer* parseLayer(std::string_view name) {
+    if (const Layer* layer = findLayer(name))
+        return layer;
+    std::vector<std::string> names;
+    for (const Layer* layer : allLayers())
+        names.push_back(layer->name);
+    throw UsageError("--aov has no layer " + inQuotes(name) + suggestion(name, names));
 }
 
 /// "30s", "1.5m", "2h" or a number of seconds; nothing unless above 0 and below thirty years.
@@ -179,18 +177,15 @@ float parseExposure(const std::string& text) {
     return *stops;
 }
 
-LayerOptions parseLayers(const std::string& text) {
-    LayerOptions layers;
-    std::set<std::string_view> names;
+LayerList parseLayers(const std::string& text) {
+    LayerList layers;
     for (std::string_view rest = text;;) {
         const size_t end = rest.find(',');
         const std::string_view name = rest.substr(0, end);
-        if (!names.insert(name).second)
+        const Layer* layer = parseLayer(name);
+        if (std::ranges::find(layers, layer) != layers.end())
             throw UsageError("--aov '" + text + "' names " + inQuotes(name) + " twice");
-        if (name == kErrorLayerName)
-            layers.errors = true;
-        else
-            layers.firstHits.push_back(parseLayer(name));
+        layers.push_back(layer);
         if (end == std::string_view::npos)
             return layers;
         rest.remove_prefix(end + 1);

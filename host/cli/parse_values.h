@@ -29,7 +29,7 @@ float parseIndirectClamp(const std::string& text);                        ///< -
 bool parseSwitch(const std::string& option, const std::string& text);
 double parseMaxRelativeMse(const std::string& text); ///< --max-relmse "1e-3"
 
-LayerOptions parseLayers(const std::string& text); ///< --aov "albedo,normal,error"
+LayerList parseLayers(const std::string& text);    ///< --aov "albedo,normal,error"
 SampleRange parseSamples(const std::string& text); ///< --samples "0:64"
 double parseTargetError(const std::string& text);  ///< --target-error "0.02"
 /// "30s", "1.5m", "2h", or a number of seconds; above 0. `option` is named in the message.

@@ -5,19 +5,19 @@
 
 #include "base/error.h"
 #include "cli/exr_metadata.h"
-#include "film/error_estimate.h"
-#include "film/write_image.h"
+#include "film/develop.h"
+#include "film/write_picture.h"
 
 namespace calotype {
 
 void PictureWriter::writeOutputs(Session& session) const {
     if (options_.outputs.empty())
         return;
-    const Contents contents = contentsOf(session);
+    const Picture picture = pictureOf(session);
     std::exception_ptr firstError;
     for (const std::string& path : options_.outputs) {
         try {
-            write(path, contents);
+            write(path, picture);
         } catch (const OutputError&) {
             firstError = firstError ? firstError : std::current_exception();
         }
@@ -29,25 +29,24 @@ void PictureWriter::writeOutputs(Session& session) const {
 void PictureWriter::writePreview(Session& session) const {
     try {
         write(options_.previewFile.empty() ? options_.outputs.front() : options_.previewFile,
-              contentsOf(session));
+              pictureOf(session));
     } catch (const OutputError& error) {
         std::fprintf(stderr, "calotype: warning: %s\n", error.what());
     }
 }
 
-PictureWriter::Contents PictureWriter::contentsOf(Session& session) const {
-    Contents contents{session.picture(), {}, session.totals()};
-    if (options_.layers.errors)
-        contents.errors = session.pixelErrors();
-    return contents;
+Picture PictureWriter::pictureOf(Session& session) const {
+    const auto makeChannels = [&](const Layer& layer) {
+        return layer.source == LayerSource::FirstHit ? channelsOf(layer, firstHits_)
+                                                     : session.channelsOf(layer);
+    };
+    Picture picture = develop(session.picture(), options_.layers, options_.stages, makeChannels);
+    describe(picture, label_, session.totals().samplesPerPixel, session.totals().seconds);
+    return picture;
 }
 
-void PictureWriter::write(const std::string& path, const Contents& contents) const {
-    const ExrLayers layers{firstHits_.pixels.empty() ? nullptr : &firstHits_,
-                           options_.layers.firstHits, contents.errors};
-    writeImage(path, contents.picture, options_.display,
-               exrMetadata(label_, contents.totals.samplesPerPixel, contents.totals.seconds),
-               layers);
+void PictureWriter::write(const std::string& path, const Picture& picture) const {
+    writePicture(path, picture, options_.display);
 }
 
 } // namespace calotype

@@ -2,12 +2,11 @@
 
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "cli/options.h"
 #include "film/film_file.h"
 #include "image/first_hit.h"
-#include "image/pixel_error.h"
+#include "image/picture.h"
 #include "render/session.h"
 
 namespace calotype {
@@ -27,15 +26,9 @@ public:
     void writePreview(Session& session) const;
 
 private:
-    /// Of one moment.
-    struct Contents {
-        Image picture;
-        std::vector<PixelError> errors;
-        RenderTotals totals;
-    };
-
-    Contents contentsOf(Session& session) const;
-    void write(const std::string& path, const Contents& contents) const;
+    /// The picture so far, with its layers and metadata.
+    Picture pictureOf(Session& session) const;
+    void write(const std::string& path, const Picture& picture) const;
 
     const RenderOptions& options_;
     const FilmLabel& label_;

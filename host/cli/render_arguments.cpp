@@ -91,11 +91,8 @@ CLI::App& addRenderCommand(CLI::App& app, RenderOptions& options) {
     command.add_option("--seed", options.seed, "Seed of the random numbers")->type_name("N");
     addTransportOptions(command, options);
     addDisplayOptions(command, options.display);
-    addParsed(
-        command, "--aov", options.layers, parseLayers,
-        "Layers of .exr outputs: of the first hits, albedo,normal,depth,position,primitive,uv; and "
-        "error, of each pixel's luminance",
-        "LIST");
+    addLayerOption(command, options.layers, allLayers());
+    addStageOptions(command, options.stages);
     addParsed(command, "--preview-every", options.previewInterval, parsePreviewInterval,
               "Write the picture so far every N samples, or every so many seconds", "N|10s");
     command

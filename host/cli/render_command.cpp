@@ -21,6 +21,7 @@
 #include "cli/render_report.h"
 #include "cli/statistics.h"
 #include "cli/timed.h"
+#include "film/develop.h"
 #include "render/adaptive_session.h"
 #include "render/render_session.h"
 #include "settings/limits.h"
@@ -90,7 +91,8 @@ public:
         FilmKeeper keeper(options_.film,
                           labelOf(scene, settings, builderFor(options_), options_.textureFilter),
                           settings.crop);
-        const bool wantsHits = !options_.layers.firstHits.empty();
+        const bool wantsHits =
+            hasSource(neededLayers(options_.layers, options_.stages), LayerSource::FirstHit);
         const std::unique_ptr<RenderEngine> engine = makeEngine(
             options_.device, scene,
             {settings, wantsHits, builderFor(options_), false,

@@ -49,7 +49,7 @@ void AdaptiveFilm::addBlock(uint32_t block, std::span<const glm::vec4> blockSums
     }
 }
 
-/// The half's replicas have as many samples each.
+/// All replicas of the half have the same number of samples in the pixel.
 void AdaptiveFilm::recordSurvey(uint32_t half, size_t pixel) {
     const auto level =
         static_cast<uint32_t>(std::countr_zero(halves_[half].blocks[pixel] / kFirstSurveyBlocks));
@@ -101,9 +101,9 @@ Image AdaptiveFilm::picture(uint32_t half, std::span<const glm::vec4> partialBlo
     Image image(width_, height_);
     for (size_t i = 0; i < pixelCount(); ++i) {
         glm::dvec3 means(0.0);
-        double count = 0.0; // of the halves that have samples
+        double count = 0.0; // halves that have samples
         for (uint32_t h = 0; h < kHalves; ++h) {
-            glm::dvec3 sum = unit_ * halves_[h].colors[i].value();
+            glm::dvec3 sum = unit_ * fromFixedPoint(halves_[h].colors[i]);
             double samples = double{kSamplesPerBlock} * halves_[h].blocks[i];
             if (h == half && !partialBlock.empty() && isLeftOut[i] == 0) {
                 FilmLosses ignored;

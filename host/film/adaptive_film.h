@@ -13,7 +13,7 @@
 
 namespace calotype {
 
-/// What one half of a film had found of a pixel's luminance when all pixels had as many samples.
+/// One half's estimate of a pixel's luminance, from a number of samples that all pixels reach.
 struct SurveyPixel {
     float mean = 0.0f;     ///< in units
     float variance = 0.0f; ///< of the mean, estimated from the half's four replicas
@@ -21,11 +21,11 @@ struct SurveyPixel {
 
 /// The samples of a picture so far, where some pixels have more of them than others.
 ///
-/// Its blocks and replicas are those of a Film. Those of even numbers make one half, those of odd
-/// numbers the other; of each half every pixel has the first few blocks. The picture is the mean of
-/// both halves' pictures. It is free of bias if the number of a half's samples in a pixel is chosen
-/// by what the other half found, from numbers of samples that nothing found has decided on: the
-/// *surveys*, which are kept of the moments when a pixel has 4, 8, 16, ... blocks of a half.
+/// Blocks and replicas are those of a Film. Blocks of even numbers belong to one half, those of odd
+/// numbers to the other. A pixel has the first n blocks of each half; n differs between pixels and
+/// halves. The picture is the mean of both halves' pictures. It has no bias if n in one half is
+/// chosen from estimates of the other half after a fixed number of samples. These estimates are the
+/// *surveys*: they are kept when a pixel has 4, 8, 16, ... blocks of a half.
 class AdaptiveFilm {
 public:
     static constexpr uint32_t kHalves = 2;
@@ -34,8 +34,8 @@ public:
     /// Black, of width * height > 0 pixels; `unit` is a power of two, as filmUnit gives it.
     AdaptiveFilm(uint32_t width, uint32_t height, double unit);
 
-    /// Adds a block to the pixels whose next block of its half it is, all that are not left out: a
-    /// byte for each pixel, 0 or 1. Sums and losses are as for Film::addBlock.
+    /// Adds a block to all pixels that are not left out (a byte for each pixel, 0 or 1). It must be
+    /// their next block of its half. Sums and losses are as for Film::addBlock.
     void addBlock(uint32_t block, std::span<const glm::vec4> blockSums,
                   std::span<const uint8_t> isLeftOut, const FilmLosses& losses = {});
 
@@ -49,20 +49,20 @@ public:
     size_t pixelCount() const { return halves_[0].blocks.size(); }
     const FilmLosses& losses() const { return losses_; }
 
-    /// Of all pixels together.
+    /// The number of samples of all pixels together.
     uint64_t samples() const { return samples_; }
 
-    /// Number of blocks that the pixels have of a half.
+    /// The number of blocks of a half that each pixel has.
     std::span<const uint32_t> blocksOf(uint32_t half) const { return halves_[half].blocks; }
 
-    /// What a half had found of each pixel when it had 4 * 2^level blocks of it; all pixels have
-    /// to have them.
+    /// The estimates of a half when each pixel had 4 * 2^level blocks of it. All pixels must have
+    /// that many.
     std::span<const SurveyPixel> survey(uint32_t half, uint32_t level) const;
 
-    /// Gives back the memory of the surveys below a level.
+    /// Frees the memory of the surveys below a level.
     void forgetSurveysBelow(uint32_t level);
 
-    /// Of a pixel's samples, those of one replica; and the sum of their luminance, W/(m^2 sr).
+    /// The number of a pixel's samples in one replica, and the sum of their luminance, W/(m^2 sr).
     uint64_t samplesOfReplica(uint32_t replica, size_t pixel) const;
     double replicaLuminance(uint32_t replica, size_t pixel) const {
         return unit_ * fromFixedPoint(luminances_[replica * pixelCount() + pixel]);
@@ -70,9 +70,9 @@ public:
 
 private:
     struct Half {
-        std::vector<Film::Sum> colors;
+        std::vector<FixedColor> colors;
         std::vector<uint32_t> blocks;
-        std::vector<std::vector<SurveyPixel>> surveys; ///< by level; empty ones are not begun
+        std::vector<std::vector<SurveyPixel>> surveys; ///< by level; empty: not begun
     };
 
     void recordSurvey(uint32_t half, size_t pixel);
@@ -83,7 +83,7 @@ private:
     std::array<Half, kHalves> halves_;
     std::vector<FixedPoint> luminances_; ///< those of all pixels for replica 0, 1, ...
     uint64_t samples_ = 0;
-    uint32_t firstSurvey_ = 0; ///< that is kept
+    uint32_t firstSurvey_ = 0; ///< lowest level that is kept
     FilmLosses losses_;
 };
 

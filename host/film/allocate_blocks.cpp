@@ -8,8 +8,8 @@
 namespace calotype {
 namespace {
 
-/// Sums over 2 * kReach + 1 neighbours, those beyond the ends left out, of `count` numbers that lie
-/// `stride` apart.
+/// Replaces each of `count` numbers, `stride` apart, by the sum of the numbers at most kReach
+/// places away.
 constexpr uint32_t kReach = 3;
 
 void sumNeighbours(double* numbers, size_t count, size_t stride, std::vector<double>& scratch) {
@@ -24,7 +24,7 @@ void sumNeighbours(double* numbers, size_t count, size_t stride, std::vector<dou
         numbers[i * stride] = scratch[i];
 }
 
-/// Each number becomes the mean of the 7 x 7 around it that are in the picture.
+/// Replaces each number by the mean of those of the 7 x 7 around it that are in the picture.
 void smooth(std::vector<double>& numbers, uint32_t width) {
     const auto height = static_cast<uint32_t>(numbers.size() / width);
     std::vector<double> scratch;
@@ -40,7 +40,7 @@ void smooth(std::vector<double>& numbers, uint32_t width) {
             numbers[size_t{y} * width + x] /= reached(x, width) * reached(y, height);
 }
 
-/// Per pixel, relative to each other, the standard deviations that matter to the error.
+/// The standard deviation of each pixel, relative to its luminance, up to a common factor.
 std::vector<double> noiseOf(std::span<const SurveyPixel> survey, uint32_t width) {
     double brightness = 0.0;
     for (const SurveyPixel& pixel : survey)

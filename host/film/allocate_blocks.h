@@ -8,15 +8,15 @@
 
 namespace calotype {
 
-/// Deals out blocks of samples so that a picture's error (ErrorEstimate::relative) falls most: a
-/// pixel's share is in proportion to the standard deviation of its samples over
-/// sqrt(L^2 + (0.01 mean L)^2) (Neyman 1934), with L its luminance, as a survey of the picture
-/// found them; variances are means over 7 x 7 pixels, since four replicas alone tell little.
+/// Distributes blocks of samples to pixels so that the picture's error (ErrorEstimate::relative) is
+/// as small as possible: a pixel's share is proportional to the standard deviation of its samples
+/// over sqrt(L^2 + (0.01 mean L)^2) (Neyman 1934), where L is its luminance. Both are taken from a
+/// survey; variances are means over 7 x 7 pixels, because four replicas alone are too few.
 ///
-/// `least` is what each pixel gets at least; noise brings none more than `most`, unless that is its
-/// least. What is left over by then, of a survey that found little noise, goes to all alike.
-/// Returns the number of each pixel, row by row, about `total` together, or the least if that is
-/// more.
+/// Each pixel gets at least `least` blocks. Its share by noise is at most `most`, or its least if
+/// that is more. If blocks are left over then, all pixels get the same number of them.
+/// Returns the number of blocks of each pixel, row by row: `total` in all, up to rounding, or the
+/// sum of the least if that is more.
 std::vector<uint32_t> allocateBlocks(std::span<const SurveyPixel> survey, uint32_t width,
                                      std::span<const uint32_t> least, uint32_t most,
                                      uint64_t total);

@@ -19,13 +19,13 @@ struct BlockRange {
 /// "32:64": the absolute indices of the samples, as --samples takes them.
 std::string sampleText(const BlockRange& range);
 
-/// A set of blocks, as the fewest ranges, in ascending order. The same set is always the same
-/// ranges, however it came together.
+/// A set of blocks, as the fewest ranges, in ascending order. The same set always has the same
+/// ranges, in whatever order its blocks were added.
 class BlockRanges {
 public:
     BlockRanges() = default;
 
-    /// Adds blocks, none of which it may hold.
+    /// Adds blocks, none of which are in the set yet.
     void add(BlockRange range);
     void add(const BlockRanges& others);
 
@@ -34,13 +34,13 @@ public:
     bool empty() const { return ranges_.empty(); }
     uint64_t count() const;
 
-    /// Of the blocks that leave `residue` when divided by `divisor`.
+    /// The number of blocks with that residue modulo `divisor`.
     uint64_t countOf(uint32_t residue, uint32_t divisor) const;
 
-    /// The first range of what both hold; an empty one, 0 to 0, if that is nothing.
+    /// The first range of blocks that are in both sets; 0 to 0 where there is none.
     BlockRange firstOverlap(const BlockRanges& others) const;
 
-    /// What of `range` is not held.
+    /// The blocks of `range` that are not in the set.
     BlockRanges missingFrom(BlockRange range) const;
 
     bool operator==(const BlockRanges&) const = default;

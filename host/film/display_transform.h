@@ -1,10 +1,30 @@
 #pragma once
 
-#include "film/tone_map.h"
+#include <optional>
+#include <string_view>
+
+#include <glm/vec3.hpp>
+
 #include "image/image.h"
-#include "image/rgb8_image.h"
 
 namespace calotype {
+
+/// How radiance after exposure is mapped to [0, 1]. Each maps black to black and grey to grey, and
+/// more light never gives a darker pixel.
+enum class ToneMap {
+    None,     ///< clipped at 1
+    Neutral,  ///< Khronos PBR Neutral: colours up to 0.76 keep their look, highlights roll off
+    Reinhard, ///< c / (1 + max(c)): never clips, keeps every hue, flatter contrast
+};
+
+/// The names that toneMapFromName knows, for messages.
+inline constexpr std::string_view kToneMapNames = "none, neutral or reinhard";
+
+/// The tone map of that name; none if there is no such name.
+std::optional<ToneMap> toneMapFromName(std::string_view name);
+
+/// Maps finite, non-negative linear Rec. 709 RGB into [0, 1].
+glm::vec3 applyToneMap(ToneMap toneMap, glm::vec3 color);
 
 /// From radiance to what a display shows.
 struct DisplayTransform {

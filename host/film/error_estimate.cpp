@@ -25,12 +25,12 @@ double studentInterval(double degrees) {
                      degrees - static_cast<double>(below));
 }
 
-/// The one-sided normal quantile of 1 - 0.05 / 20: a level of 5 % shared by the 20 doublings from
-/// 128 samples to the most there can be.
+/// The one-sided normal quantile of 1 - 0.05 / 20: the level of 5 % is divided by the 20 doublings
+/// from 128 samples to the largest number of samples.
 constexpr double kSharedQuantile = 2.807;
 
-/// From 512 samples on, the doubt is below 1.13 in the project's scenes, whose estimates are right
-/// to a tenth, and mostly above 9 where glass balls gather the light of a small lamp.
+/// From 512 samples on, the doubt is below 1.13 in the project's scenes, where the estimates are
+/// correct to 10 %, and mostly above 9 where glass balls focus the light of a small lamp.
 constexpr double kMostDoubt = 1.4;
 
 /// A spread below this share of the luminance is the rounding of float sums, not noise.
@@ -38,13 +38,13 @@ constexpr double kRounding = 1e-6;
 
 double square(double x) { return x * x; }
 
-/// What the replicas say of a pixel's luminance.
+/// Statistics of a pixel's luminance over its replicas.
 struct PixelSpread {
     double mean = 0.0;
     double variance = 0.0; ///< of the mean
     double degrees = 0.0;  ///< of freedom, of the variance
-    /// relativeShare of the variance, where L is the mean of all replicas; and where it is, for
-    /// each replica's deviation, the mean of the others.
+    /// relativeShare of the variance, where L is the mean of all replicas; and where L is, for the
+    /// deviation of each replica, the mean of the others.
     double relative = 0.0;
     double relativeToOthers = 0.0;
 };
@@ -55,7 +55,7 @@ struct ReplicaSum {
     double luminance = 0.0;
 };
 
-/// Replicas of one pixel, all with samples.
+/// Those replicas of one pixel that have samples.
 class Replicas {
 public:
     void add(const ReplicaSum& replica) {
@@ -68,8 +68,9 @@ public:
     const ReplicaSum& all() const { return all_; }
     double mean() const { return all_.luminance / all_.samples; }
 
-    /// Of the mean; from two replicas on. Replicas of n samples have a variance of s^2 / n, so
-    /// deviations are weighted by n. `share(part, i)` is called with the parts that sum up to it.
+    /// Variance of the mean of at least two replicas. A replica of n samples has a variance of
+    /// s^2 / n, so deviations are weighted by n. The result is a sum of one part for each replica;
+    /// `share(part, replica)` is called for each.
     template <typename Share>
     double variance(const Share& share) const {
         const double scale = 1.0 / ((count_ - 1) * all_.samples);
@@ -89,7 +90,7 @@ private:
     ReplicaSum all_;
 };
 
-/// Takes the rounding of float sums for no noise.
+/// Sets the relative variance; 0 where the spread is only the rounding of float sums.
 PixelSpread withoutRounding(PixelSpread spread, double meanLuminance) {
     if (spread.variance <= square(kRounding * spread.mean))
         return {spread.mean, spread.variance, spread.degrees, 0.0, 0.0};
@@ -97,7 +98,7 @@ PixelSpread withoutRounding(PixelSpread spread, double meanLuminance) {
     return spread;
 }
 
-/// A film's pixels, all with the same replicas.
+/// The pixels of a Film: all have samples in the same replicas.
 class EvenPixels {
 public:
     explicit EvenPixels(const Film& film) : film_(film) {
@@ -137,7 +138,7 @@ private:
     uint32_t replicas_ = 0;
 };
 
-/// An adaptive film's: the mean of two halves, each with replicas of its own.
+/// The pixels of an AdaptiveFilm: the mean of two halves, each with replicas of its own.
 class HalvedPixels {
 public:
     explicit HalvedPixels(const AdaptiveFilm& film) : film_(film) {

@@ -16,29 +16,29 @@ namespace calotype {
 ///
 ///     relative = 1.96 sqrt(mean(v / (L^2 + (0.01 mean L)^2)))
 ///
-/// 1.96 standard errors reach as far as 95 % of normally distributed errors do; the second term
-/// keeps pixels that are almost black from counting more than those that can be seen.
+/// 95 % of normally distributed errors are within 1.96 standard errors. The second term limits the
+/// weight of pixels that are almost black.
 struct ErrorEstimate {
     double relative = 0.0;
     /// Standard error of `relative` squared, as a share of it: v is itself an estimate.
     double uncertainty = 0.0;
-    /// By which factor `relative` grows when each replica's deviation is divided not by the L that
-    /// it is part of but by that of the other replicas: near 1 where all see the same picture,
-    /// large where rare samples bring most of a pixel's light. Only known of all replicas together.
+    /// The factor by which `relative` grows when each replica's deviation is divided by the mean
+    /// luminance of the other replicas instead of L: near 1 where the replicas agree, large where
+    /// most of a pixel's light comes from rare samples. Only known if all replicas have samples.
     std::optional<double> doubt;
     uint32_t replicas = 0; ///< that hold samples
 
-    /// False where the estimate rests on rare bright samples, so that light may be missing
-    /// altogether; or on too few replicas to tell.
+    /// False where the estimate depends on rare bright samples, so that light may be missing
+    /// altogether, or where the replicas are too few to know that.
     bool isTrusted() const;
 
-    /// What v without its noise would give at most, but for a chance of 1 in 400: 5 % shared by the
-    /// looks at 128, 256, ... samples that a render may end with. Infinite where v is hardly known.
+    /// An upper bound of what `relative` would be if v had no noise, wrong with a probability of
+    /// 1/400: 5 % over all the checks at 128, 256, ... samples. Infinite where v is too uncertain.
     double upperBound() const;
 };
 
-/// The formula above, as a sum over pixels: of one pixel, `variance` (or a squared deviation) over
-/// L^2 + (0.01 mean L)^2; and of the mean of those, `relative`.
+/// The two parts of the formula above: for one pixel, `variance` (or a squared deviation) over
+/// L^2 + (0.01 mean L)^2; and `relative` from the mean of these over all pixels.
 double relativeShare(double variance, double luminance, double meanLuminance);
 double relativeError(double meanShare);
 

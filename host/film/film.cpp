@@ -16,10 +16,14 @@ bool isFinite(const glm::vec4& sum) {
     return std::isfinite(sum.r) && std::isfinite(sum.g) && std::isfinite(sum.b);
 }
 
-/// Whether a finite sum can enter the film.
+/// Whether a sum can enter the film; false for one that is not finite.
+bool isInRange(float sum, double unit) {
+    return double{std::abs(sum)} < kFixedPointTermLimit * unit;
+}
+
+/// Likewise for all of a finite colour.
 bool isInRange(const glm::vec4& sum, double unit) {
-    const float largest = std::max({std::abs(sum.r), std::abs(sum.g), std::abs(sum.b)});
-    return double{largest} < kFixedPointTermLimit * unit;
+    return isInRange(std::max({std::abs(sum.r), std::abs(sum.g), std::abs(sum.b)}), unit);
 }
 
 } // namespace
@@ -42,46 +46,47 @@ FilmLosses& FilmLosses::operator+=(const FilmLosses& other) {
     return *this;
 }
 
-Film::Sum& Film::Sum::operator+=(const Sum& other) {
-    r += other.r;
-    g += other.g;
-    b += other.b;
-    return *this;
-}
-
-glm::dvec3 Film::Sum::value() const {
-    return {fromFixedPoint(r), fromFixedPoint(g), fromFixedPoint(b)};
-}
-
-Film::Film(uint32_t width, uint32_t height, double unit)
+Film::Film(uint32_t width, uint32_t height, double unit, const std::vector<std::string>& others)
     : Film(width, height, unit,
            {{},
-            std::vector<Sum>(size_t{width} * height),
+            std::vector<FixedPoint>(size_t{width} * height * (kColorChannels + others.size())),
             std::vector<FixedPoint>(size_t{width} * height * kReplicas),
-            {}}) {}
+            {}},
+           others) {}
 
-Film::Film(uint32_t width, uint32_t height, double unit, Sums sums)
-    : width_(width), height_(height), unit_(unit), sums_(std::move(sums)) {
+Film::Film(uint32_t width, uint32_t height, double unit, Sums sums,
+           const std::vector<std::string>& others)
+    : width_(width), height_(height), unit_(unit), channels_{"R", "G", "B"},
+      sums_(std::move(sums)) {
+    channels_.insert(channels_.end(), others.begin(), others.end());
     CALOTYPE_CHECK_LT(0u, pixelCount());
-    CALOTYPE_CHECK_EQ(pixelCount(), size_t{width} * height);
+    CALOTYPE_CHECK_EQ(sums_.channels.size(), pixelCount() * channels_.size());
     CALOTYPE_CHECK_EQ(sums_.luminances.size(), pixelCount() * kReplicas);
     CALOTYPE_CHECK_EQ(unit, filmUnit(unit));
 }
 
-void Film::addBlock(uint32_t block, std::span<const glm::vec4> blockSums,
-                    const FilmLosses& losses) {
+void Film::addBlock(uint32_t block, std::span<const glm::vec4> blockSums, const FilmLosses& losses,
+                    std::span<const float> otherSums) {
+    const size_t others = channels_.size() - kColorChannels;
     CALOTYPE_CHECK_EQ(blockSums.size(), pixelCount());
+    CALOTYPE_CHECK_EQ(otherSums.size(), pixelCount() * others);
     CALOTYPE_CHECK_LT(sums_.blocks.count(), kMaxBlocks);
     sums_.blocks.add({block, block + 1});
     sums_.losses += losses;
     const std::span<FixedPoint> luminances =
         std::span(sums_.luminances).subspan(block % kReplicas * pixelCount(), pixelCount());
-    for (size_t i = 0; i < blockSums.size(); ++i) {
+    FixedPoint* sums = sums_.channels.data();
+    for (size_t i = 0; i < blockSums.size(); ++i, sums += channels_.size()) {
         CALOTYPE_CHECK_EQ(blockSums[i].w, float{kSamplesPerBlock});
         if (const auto term = toFilmTerm(blockSums[i], unit_, sums_.losses)) {
-            sums_.colors[i] += term->color;
+            sums[0] += term->color.r;
+            sums[1] += term->color.g;
+            sums[2] += term->color.b;
             luminances[i] += term->luminance;
         }
+        for (size_t k = 0; k < others; ++k)
+            if (const float sum = otherSums[i * others + k]; isInRange(sum, 1.0))
+                sums[kColorChannels + k] += toFixedPoint(sum);
     }
 }
 
@@ -89,10 +94,11 @@ void Film::add(const Film& other) {
     CALOTYPE_CHECK_EQ(width_, other.width_);
     CALOTYPE_CHECK_EQ(height_, other.height_);
     CALOTYPE_CHECK_EQ(unit_, other.unit_);
+    CALOTYPE_CHECK_EQ(channels_ == other.channels_, true);
     sums_.blocks.add(other.sums_.blocks);
     CALOTYPE_CHECK_LE(sums_.blocks.count(), kMaxBlocks);
-    for (size_t i = 0; i < pixelCount(); ++i)
-        sums_.colors[i] += other.sums_.colors[i];
+    for (size_t i = 0; i < sums_.channels.size(); ++i)
+        sums_.channels[i] += other.sums_.channels[i];
     for (size_t i = 0; i < sums_.luminances.size(); ++i)
         sums_.luminances[i] += other.sums_.luminances[i];
     sums_.losses += other.sums_.losses;
@@ -103,8 +109,9 @@ Image Film::picture(std::span<const glm::vec4> partialBlock) const {
         CALOTYPE_CHECK_EQ(partialBlock.size(), pixelCount());
     Image image(width_, height_);
     const auto samplesOfFilm = static_cast<double>(samplesPerPixel());
-    for (size_t i = 0; i < pixelCount(); ++i) {
-        glm::dvec3 sum = unit_ * sums_.colors[i].value();
+    const FixedPoint* sums = sums_.channels.data();
+    for (size_t i = 0; i < pixelCount(); ++i, sums += channels_.size()) {
+        glm::dvec3 sum = unit_ * fromFixedPoint(FixedColor{sums[0], sums[1], sums[2]});
         double samples = samplesOfFilm;
         if (!partialBlock.empty()) {
             const glm::vec4& partial = partialBlock[i];
@@ -116,6 +123,20 @@ Image Film::picture(std::span<const glm::vec4> partialBlock) const {
         image.pixels[i] = samples > 0.0 ? glm::vec3(sum / samples) : glm::vec3(0.0f);
     }
     return image;
+}
+
+std::vector<float> Film::mean(size_t channel) const {
+    CALOTYPE_CHECK_LT(channel, channels_.size());
+    std::vector<float> means(pixelCount());
+    const uint64_t samples = samplesPerPixel();
+    if (samples == 0)
+        return means;
+    const double scale = (channel < kColorChannels ? unit_ : 1.0) / static_cast<double>(samples);
+    for (size_t i = 0; i < means.size(); ++i) {
+        const FixedPoint sum = sums_.channels[i * channels_.size() + channel];
+        means[i] = static_cast<float>(scale * fromFixedPoint(sum));
+    }
+    return means;
 }
 
 std::optional<FilmTerm> toFilmTerm(const glm::vec4& blockSum, double unit, FilmLosses& losses) {

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -15,7 +17,7 @@
 
 namespace calotype {
 
-/// The unit of a film's sums: the least power of two at or above the scene's largest emitted
+/// The unit of a film's colours: the least power of two at or above the scene's largest emitted
 /// radiance, a finite number >= 0; kept within 2^-126 and 2^127, and 1 for a scene without light.
 double filmUnit(double maxRadiance);
 
@@ -32,8 +34,11 @@ struct FilmLosses {
 };
 
 /// The samples of a picture so far, summed per pixel and channel in fixed point of 128 bits, of
-/// which 64 lie below one `unit`; and the luminance of each replica apart. Films are therefore bit
+/// which 64 lie below one unit; and the luminance of each replica apart. Films are therefore bit
 /// for bit the same whatever the order in which their blocks came, and no sum stagnates.
+///
+/// The first three channels are R, G and B, radiance in W/(m^2 sr); their unit is that of the film.
+/// A film can have more, the means of other quantities over the same samples; their unit is 1.
 ///
 /// Block b holds the samples of absolute indices from 16 b on, and belongs to replica b mod 8: of
 /// shared::kSamplesPerBlock and shared::kReplicas. Replicas are independent of each other.
@@ -43,21 +48,12 @@ struct FilmLosses {
 class Film {
 public:
     static constexpr uint64_t kMaxBlocks = uint64_t{1} << 23;
-
-    struct Sum {
-        FixedPoint r = 0;
-        FixedPoint g = 0;
-        FixedPoint b = 0;
-
-        Sum& operator+=(const Sum& other);
-        glm::dvec3 value() const; ///< in units
-        bool operator==(const Sum&) const = default;
-    };
+    static constexpr size_t kColorChannels = 3; ///< R, G and B
 
     /// What a film holds, row by row from the top left pixel, in units.
     struct Sums {
         BlockRanges blocks;
-        std::vector<Sum> colors;            ///< one for each pixel
+        std::vector<FixedPoint> channels;   ///< all of the first pixel, all of the second, ...
         std::vector<FixedPoint> luminances; ///< those of all pixels for replica 0, 1, ...
         FilmLosses losses;
 
@@ -65,29 +61,38 @@ public:
     };
 
     /// A black film of width * height > 0 pixels; `unit` is a power of two, as filmUnit gives it.
-    Film(uint32_t width, uint32_t height, double unit);
+    /// `others` are the names of its channels beside R, G and B.
+    Film(uint32_t width, uint32_t height, double unit, const std::vector<std::string>& others = {});
 
     /// A film as it was kept; the sums are of its size.
-    Film(uint32_t width, uint32_t height, double unit, Sums sums);
+    Film(uint32_t width, uint32_t height, double unit, Sums sums,
+         const std::vector<std::string>& others = {});
 
     /// Adds a whole block that it does not hold: per pixel, row by row, the sum of r, g, b over
     /// shared::kSamplesPerBlock samples, and that number in w. A pixel whose sum is not finite, or
     /// from 2^40 units up, adds nothing, stays in the count of samples, and is among the losses,
-    /// as are those which `losses` reports of the block's samples.
+    /// as are those which `losses` reports of the block's samples. `otherSums` are those of the
+    /// other channels, all of the first pixel, all of the second, ...; one that is not finite, or
+    /// from 2^40 up, adds nothing.
     void addBlock(uint32_t block, std::span<const glm::vec4> blockSums,
-                  const FilmLosses& losses = {});
+                  const FilmLosses& losses = {}, std::span<const float> otherSums = {});
 
-    /// Adds a film of the same size and unit that holds none of the same blocks.
+    /// Adds a film of the same size, unit and channels that holds none of the same blocks.
     void add(const Film& other);
 
     /// Mean radiance per pixel; black where there is no sample. `partialBlock`, if not empty, is
     /// like a block, but with any number of samples in each pixel: it shows in the picture only.
     Image picture(std::span<const glm::vec4> partialBlock = {}) const;
 
+    /// Mean of a channel per pixel, over whole blocks; 0 where there is no sample.
+    std::vector<float> mean(size_t channel) const;
+
     uint32_t width() const { return width_; }
     uint32_t height() const { return height_; }
-    size_t pixelCount() const { return sums_.colors.size(); }
+    size_t pixelCount() const { return size_t{width_} * height_; }
     double unit() const { return unit_; }
+    /// Their names, the first three of which are "R", "G" and "B".
+    const std::vector<std::string>& channels() const { return channels_; }
     const Sums& sums() const { return sums_; }
     const BlockRanges& blocks() const { return sums_.blocks; }
     const FilmLosses& losses() const { return sums_.losses; }
@@ -105,12 +110,13 @@ private:
     uint32_t width_;
     uint32_t height_;
     double unit_;
+    std::vector<std::string> channels_;
     Sums sums_;
 };
 
 /// What a pixel's sum of a block adds to a film, in units.
 struct FilmTerm {
-    Film::Sum color;
+    FixedColor color;
     FixedPoint luminance = 0;
 };
 

@@ -31,9 +31,12 @@
 //     12  bytes of the description, 32 bits
 //     16  checksum of all that follows, 64 bits
 //     24  description: JSON
-//         the pixels' sums of red, green and blue, then the luminances of replica 0, 1, ...,
-//         numbers of 128 bits in chunks of 65,536: the first bytes of all its numbers, then their
-//         second ones, ...; compressed by zlib
+//         the sums of all channels of the first pixel, of the second, ...; then the luminances of
+//         replica 0, 1, ...; numbers of 128 bits in chunks of 65,536: the first bytes of all
+//         numbers of the chunk, then their second bytes, ...; compressed by zlib
+//
+// The channels are R, G and B in version 1. In version 2 there are more, and the description names
+// them all.
 namespace calotype {
 namespace {
 
@@ -41,10 +44,11 @@ using Json = nlohmann::json;
 
 constexpr std::string_view kMagic = "CALOFILM";
 constexpr uint32_t kVersion = 1;
+constexpr uint32_t kVersionWithChannels = 2;
+constexpr size_t kMostChannels = 256;
 constexpr size_t kDescriptionAt = 24;
 constexpr size_t kChunkNumbers = 65536;
 constexpr size_t kNumberBytes = sizeof(FixedPoint);
-static_assert(sizeof(Film::Sum) == 3 * kNumberBytes);
 
 template <typename Number>
 void append(std::string& bytes, Number number) {
@@ -62,14 +66,6 @@ uint64_t checksumOf(std::string_view bytes) {
     return hash.value();
 }
 
-/// The pixels' sums as one row of numbers.
-std::span<const FixedPoint> numbersOf(const std::vector<Film::Sum>& colors) {
-    return {&colors[0].r, 3 * colors.size()};
-}
-std::span<FixedPoint> numbersOf(std::vector<Film::Sum>& colors) {
-    return {&colors[0].r, 3 * colors.size()};
-}
-
 /// Calls use(numbers) for the chunks of all numbers, in the order of the file.
 template <typename Sums, typename Use>
 void forEachChunk(Sums& sums, const Use& use) {
@@ -77,7 +73,7 @@ void forEachChunk(Sums& sums, const Use& use) {
         for (size_t first = 0; first < numbers.size(); first += kChunkNumbers)
             use(numbers.subspan(first, std::min(kChunkNumbers, numbers.size() - first)));
     };
-    cut(numbersOf(sums.colors));
+    cut(std::span(sums.channels));
     cut(std::span(sums.luminances));
 }
 
@@ -96,7 +92,7 @@ std::string compress(std::span<const FixedPoint> numbers) {
     return compressed;
 }
 
-/// False where the bytes are not those of so many numbers.
+/// False where the bytes do not hold that many numbers.
 bool decompress(std::string_view compressed, std::span<FixedPoint> numbers) {
     std::string planes(numbers.size() * kNumberBytes, '\0');
     uLongf size = planes.size();
@@ -115,6 +111,8 @@ bool decompress(std::string_view compressed, std::span<FixedPoint> numbers) {
     return true;
 }
 
+bool hasOtherChannels(const Film& film) { return film.channels().size() > Film::kColorChannels; }
+
 Json describe(const FilmLabel& label, const Film& film, const std::vector<std::string>& chunks) {
     Json blocks = Json::array();
     for (const BlockRange& range : film.blocks().ranges())
@@ -123,18 +121,21 @@ Json describe(const FilmLabel& label, const Film& film, const std::vector<std::s
     for (const std::string& chunk : chunks)
         chunkBytes.push_back(chunk.size());
     const FilmLosses& losses = film.losses();
-    return {{"scene_hash", hexadecimal(label.sceneHash)},
-            {"settings", label.settings},
-            {"devices", label.devices},
-            {"width", film.width()},
-            {"height", film.height()},
-            {"unit_exponent", std::ilogb(film.unit())},
-            {"blocks", blocks},
-            {"non_finite_samples", losses.nonFiniteSamples},
-            {"cut_paths", losses.cutPaths},
-            {"non_finite_pixels", losses.nonFinitePixels},
-            {"overflowed_pixels", losses.overflowedPixels},
-            {"chunk_bytes", chunkBytes}};
+    Json description = {{"scene_hash", hexadecimal(label.sceneHash)},
+                        {"settings", label.settings},
+                        {"devices", label.devices},
+                        {"width", film.width()},
+                        {"height", film.height()},
+                        {"unit_exponent", std::ilogb(film.unit())},
+                        {"blocks", blocks},
+                        {"non_finite_samples", losses.nonFiniteSamples},
+                        {"cut_paths", losses.cutPaths},
+                        {"non_finite_pixels", losses.nonFinitePixels},
+                        {"overflowed_pixels", losses.overflowedPixels},
+                        {"chunk_bytes", chunkBytes}};
+    if (hasOtherChannels(film))
+        description["channels"] = film.channels();
+    return description;
 }
 
 /// Throws where `number` is no integer from `least` to `most`.
@@ -151,7 +152,7 @@ Number numberIn(const Json& number, Number least, Number most) {
     return number.get<Number>();
 }
 
-/// Ranges as they were written; throws what ends up as "is damaged" where they are not such.
+/// Throws where the ranges are not as writeFilm writes them.
 BlockRanges readBlocks(const Json& description) {
     BlockRanges blocks;
     uint32_t end = 0;
@@ -163,16 +164,31 @@ BlockRanges readBlocks(const Json& description) {
     return blocks;
 }
 
+/// The names of the channels beside R, G and B.
+std::vector<std::string> readOtherChannels(const Json& description) {
+    std::vector<std::string> channels = description.at("channels");
+    const std::vector<std::string> colors = {"R", "G", "B"};
+    if (channels.size() <= Film::kColorChannels || channels.size() > kMostChannels ||
+        !std::equal(colors.begin(), colors.end(), channels.begin()))
+        throw std::out_of_range("channels");
+    channels.erase(channels.begin(), channels.begin() + Film::kColorChannels);
+    return channels;
+}
+
 /// Throws where the description and the chunks do not fit each other.
-KeptFilm readParts(const Json& description, std::string_view compressed) {
+KeptFilm readParts(const Json& description, std::string_view compressed, uint32_t version) {
     const auto width = numberIn<uint32_t>(description.at("width"), 1, kLargestPictureSide);
     const auto height = numberIn<uint32_t>(description.at("height"), 1, kLargestPictureSide);
     std::vector<uint64_t> sizes;
     for (const Json& size : description.at("chunk_bytes"))
         sizes.push_back(numberIn<uint64_t>(size, 0, compressed.size()));
+    std::vector<std::string> others;
+    if (version == kVersionWithChannels)
+        others = readOtherChannels(description);
+    const size_t channels = Film::kColorChannels + others.size();
     const size_t pixels = size_t{width} * height;
     const auto chunksFor = [](size_t n) { return (n + kChunkNumbers - 1) / kChunkNumbers; };
-    if (sizes.size() != chunksFor(3 * pixels) + chunksFor(shared::kReplicas * pixels))
+    if (sizes.size() != chunksFor(channels * pixels) + chunksFor(shared::kReplicas * pixels))
         throw std::out_of_range("chunks");
     std::vector<std::string_view> chunks;
     for (const uint64_t size : sizes) {
@@ -181,12 +197,12 @@ KeptFilm readParts(const Json& description, std::string_view compressed) {
         chunks.push_back(compressed.substr(0, size));
         compressed.remove_prefix(size);
     }
-    // zlib makes at most 1032 bytes of one: a film that is said to be larger only costs memory.
+    // zlib expands a byte to at most 1032. A larger claim is refused before memory is allocated.
     constexpr size_t kMostPerByte = 1032;
     size_t given = 0;
     for (const uint64_t size : sizes)
         given += size;
-    if ((3 + shared::kReplicas) * pixels * kNumberBytes > kMostPerByte * given ||
+    if ((channels + shared::kReplicas) * pixels * kNumberBytes > kMostPerByte * given ||
         !compressed.empty())
         throw std::out_of_range("chunks");
     Film::Sums sums;
@@ -196,7 +212,7 @@ KeptFilm readParts(const Json& description, std::string_view compressed) {
     };
     sums.losses = {count("non_finite_samples"), count("cut_paths"), count("non_finite_pixels"),
                    count("overflowed_pixels")};
-    sums.colors.resize(pixels);
+    sums.channels.resize(channels * pixels);
     sums.luminances.resize(shared::kReplicas * pixels);
     std::vector<std::span<FixedPoint>> targets;
     forEachChunk(sums, [&](std::span<FixedPoint> numbers) { targets.push_back(numbers); });
@@ -212,7 +228,15 @@ KeptFilm readParts(const Json& description, std::string_view compressed) {
     label.sceneHash = std::stoull(description.at("scene_hash").get<std::string>(), nullptr, 16);
     label.settings = description.at("settings");
     label.devices = description.at("devices");
-    return {label, Film(width, height, std::ldexp(1.0, exponent), std::move(sums))};
+    return {label, Film(width, height, std::ldexp(1.0, exponent), std::move(sums), others)};
+}
+
+/// "R, G, B".
+std::string listed(const std::vector<std::string>& names) {
+    std::string list;
+    for (const std::string& name : names)
+        list += (list.empty() ? "" : ", ") + name;
+    return list;
 }
 
 } // namespace
@@ -234,7 +258,7 @@ void writeFilm(const std::filesystem::path& path, const FilmLabel& label, const 
     for (const std::string& chunk : compressed)
         contents += chunk;
     std::string bytes(kMagic);
-    append(bytes, kVersion);
+    append(bytes, hasOtherChannels(film) ? kVersionWithChannels : kVersion);
     append(bytes, static_cast<uint32_t>(description.size()));
     append(bytes, checksumOf(contents));
     writeFileAtomically(path, bytes + contents);
@@ -248,16 +272,17 @@ KeptFilm readFilm(const std::filesystem::path& path) {
         throw SceneError(name, "the file is no film, or only its beginning; films are written by "
                                "calotype render --film");
     const uint32_t version = littleEndian32(all, kMagic.size());
-    if (version != kVersion)
+    if (version != kVersion && version != kVersionWithChannels)
         throw SceneError(name, "the film is of format " + std::to_string(version) +
-                                   ", and this Calotype reads format " + std::to_string(kVersion));
+                                   ", and this Calotype reads formats " + std::to_string(kVersion) +
+                                   " and " + std::to_string(kVersionWithChannels));
     const std::string_view contents = all.substr(kDescriptionAt);
     const uint32_t descriptionBytes = littleEndian32(all, 12);
     if (checksumOf(contents) != littleEndian64(all, 16) || descriptionBytes > contents.size())
         throw SceneError(name, "the film is damaged: its checksum is not that of its contents");
     try {
         return readParts(Json::parse(contents.substr(0, descriptionBytes)),
-                         contents.substr(descriptionBytes));
+                         contents.substr(descriptionBytes), version);
     } catch (const std::bad_alloc&) {
         throw;
     } catch (const std::exception& error) { // of the JSON library, or of a number out of range
@@ -276,7 +301,8 @@ bool isFilm(const std::filesystem::path& path) {
 }
 
 void requireSameOrigin(const std::filesystem::path& path, const KeptFilm& film,
-                       const FilmLabel& label, uint32_t width, uint32_t height, double unit) {
+                       const FilmLabel& label, uint32_t width, uint32_t height, double unit,
+                       const std::vector<std::string>& channels) {
     const auto fail = [&](const std::string& difference) {
         throw SceneError(path.string(), "the film cannot be joined: it is of " + difference);
     };
@@ -291,6 +317,8 @@ void requireSameOrigin(const std::filesystem::path& path, const KeptFilm& film,
         fail("lights of another strength");
     if (film.film.width() != width || film.film.height() != height)
         fail("another size");
+    if (film.film.channels() != channels)
+        fail("other channels: " + listed(film.film.channels()) + ", not " + listed(channels));
 }
 
 } // namespace calotype

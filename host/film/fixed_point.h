@@ -3,9 +3,11 @@
 #include <cmath>
 #include <cstdint>
 
+#include <glm/vec3.hpp>
+
 namespace calotype {
 
-/// A signed number with 64 bits after the point, in (-2^63, 2^63): addition is exact and commutes.
+/// A signed number with 64 bits after the point, in (-2^63, 2^63). Addition is exact and commutes.
 using FixedPoint = __int128;
 
 /// The largest magnitude that toFixedPoint takes: 2^23 terms below it fit in a sum.
@@ -15,8 +17,9 @@ inline constexpr double kFixedPointTermLimit = 0x1p40;
 /// of two, so it has 24 significant bits, and the result is exact from 2^-41 up; its magnitude is
 /// at most kFixedPointTermLimit.
 inline FixedPoint toFixedPoint(double value) {
-    // Two steps of 62 bits, each within int64; the first remainder is exact, being some of the bits
-    // of `value`. The half added at last is lost, harmlessly, only where `low` is an integer.
+    // Two steps of 62 bits, each within int64. The first remainder is exact: it is some of the bits
+    // of `value`. Adding the half is inexact only from 2^52 up, where `low` is an even integer and
+    // the sum is rounded to it.
     const double scaled = value * 0x1p2;
     const auto high = static_cast<int64_t>(scaled);
     const double low = (scaled - static_cast<double>(high)) * 0x1p62;
@@ -25,5 +28,23 @@ inline FixedPoint toFixedPoint(double value) {
 
 /// The nearest double.
 inline double fromFixedPoint(FixedPoint value) { return static_cast<double>(value) * 0x1p-64; }
+
+/// Red, green and blue.
+struct FixedColor {
+    FixedPoint r = 0;
+    FixedPoint g = 0;
+    FixedPoint b = 0;
+
+    FixedColor& operator+=(const FixedColor& other) {
+        r += other.r;
+        g += other.g;
+        b += other.b;
+        return *this;
+    }
+};
+
+inline glm::dvec3 fromFixedPoint(const FixedColor& color) {
+    return {fromFixedPoint(color.r), fromFixedPoint(color.g), fromFixedPoint(color.b)};
+}
 
 } // namespace calotype

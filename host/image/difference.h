@@ -21,7 +21,7 @@ struct LargestDifference {
 struct ImageDifference {
     uint64_t infiniteInA = 0; ///< pixels with an infinite channel
     uint64_t infiniteInB = 0;
-    uint64_t leftOut = 0; ///< pixels infinite in A or B, which nothing below knows of
+    uint64_t leftOut = 0; ///< pixels infinite in A or B; all that follows is without them
 
     glm::dvec3 meanError{0.0}; ///< mean of A - B by channel
     double rmse = 0.0;         ///< root of the mean of (A - B)^2 over pixels and channels
@@ -36,12 +36,12 @@ struct ImageDifference {
     double psnr() const;
 };
 
-/// Throws SceneError at the picture concerned unless both have one size, no pixel has a NaN, and
+/// Throws SceneError at one of the pictures unless both have the same size, no pixel has a NaN, and
 /// some pixel is finite in both. `nameA` and `nameB` are the files' names.
 void requireComparable(const Image& a, const std::string& nameA, const Image& b,
                        const std::string& nameB);
 
-/// Both as requireComparable wants them.
+/// For two pictures that requireComparable accepts.
 ImageDifference measureDifference(const Image& a, const Image& b);
 
 /// (a - b)^2 / (b^2 + 0.01): the squared error of a channel relative to the reference, with a floor

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "image/image.h"
-#include "image/rgb8_image.h"
 
 namespace calotype {
 
@@ -15,8 +14,8 @@ struct DifferenceScale {
 };
 
 /// Where A differs from B, the reference, both of one size and without NaN. The relative difference
-/// of a pixel is the root of the mean of its channels' relativeSquaredError (image/metrics.h); so
-/// the mean of its square over the picture is the relative MSE.
+/// of a pixel is the root of the mean of its channels' relativeSquaredError; so the mean of its
+/// square over the picture is the relative MSE.
 Rgb8Image differencePicture(const Image& a, const Image& b);
 
 } // namespace calotype

@@ -1,8 +1,13 @@
 #include "image/exr.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <exception>
-#include <limits>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
 
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfChromaticitiesAttribute.h>
@@ -19,14 +24,13 @@
 #include "base/atomic_file.h"
 #include "base/check.h"
 #include "base/error.h"
-#include "base/hexadecimal.h"
+#include "image/check_size.h"
 #include "image/exr_check.h"
-#include "image/exr_error.h"
 
 namespace calotype {
 namespace {
 
-constexpr const char* kChannelNames[] = {"R", "G", "B"};
+constexpr const char* kColorNames[] = {"R", "G", "B"};
 
 /// A file in memory: OpenEXR goes back to fill in its table of offsets.
 class MemoryStream : public Imf::OStream {
@@ -58,9 +62,26 @@ Imath::Box2i windowAt(uint32_t x, uint32_t y, uint32_t width, uint32_t height) {
             Imath::V2i(last(x, width), last(y, height))};
 }
 
-Imf::Header describe(const Image& image, const ExrMetadata& metadata) {
+Imf::PixelType typeOf(const Channel& channel) {
+    return std::holds_alternative<std::vector<uint32_t>>(channel.pixels) ? Imf::UINT : Imf::FLOAT;
+}
+
+void insertMetadata(Imf::Header& header, const std::vector<Attribute>& metadata) {
+    for (const Attribute& attribute : metadata) {
+        const std::string name = "calotype:" + attribute.name;
+        if (const auto* text = std::get_if<std::string>(&attribute.value))
+            header.insert(name, Imf::StringAttribute(*text));
+        else if (const auto* integer = std::get_if<int32_t>(&attribute.value))
+            header.insert(name, Imf::IntAttribute(*integer));
+        else
+            header.insert(name, Imf::DoubleAttribute(std::get<double>(attribute.value)));
+    }
+}
+
+Imf::Header describe(const Picture& picture) {
+    const Image& image = picture.color;
     const CropPlacement crop =
-        metadata.crop.value_or(CropPlacement{0, 0, image.width, image.height});
+        picture.crop.value_or(CropPlacement{0, 0, image.width, image.height});
     CALOTYPE_CHECK_LE(uint64_t{crop.x} + image.width, crop.filmWidth);
     CALOTYPE_CHECK_LE(uint64_t{crop.y} + image.height, crop.filmHeight);
 
@@ -68,31 +89,49 @@ Imf::Header describe(const Image& image, const ExrMetadata& metadata) {
                        windowAt(crop.x, crop.y, image.width, image.height));
     header.compression() = Imf::ZIP_COMPRESSION;
     Imf::addChromaticities(header, Imf::Chromaticities()); // the default is Rec. 709
-    constexpr auto kMaxInt = static_cast<uint32_t>(std::numeric_limits<int>::max());
-    const auto spp = static_cast<int>(std::min(metadata.samplesPerPixel, kMaxInt));
-    header.insert("calotype:version", Imf::StringAttribute(metadata.version));
-    header.insert("calotype:sceneHash", Imf::StringAttribute(hexadecimal(metadata.sceneHash)));
-    header.insert("calotype:seed", Imf::DoubleAttribute(metadata.seed));
-    header.insert("calotype:sampler", Imf::StringAttribute(metadata.sampler));
-    header.insert("calotype:spp", Imf::IntAttribute(spp));
-    header.insert("calotype:seconds", Imf::DoubleAttribute(metadata.seconds));
-    for (const char* name : kChannelNames)
+    insertMetadata(header, picture.metadata);
+    for (const char* name : kColorNames)
         header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+    for (const Channel& channel : picture.channels)
+        header.channels().insert(channel.name, Imf::Channel(typeOf(channel)));
     return header;
 }
 
-/// The memory of `image`, seen as three channels of the data window.
-Imf::FrameBuffer frameBuffer(Image& image, const Imath::Box2i& dataWindow) {
+/// Tells OpenEXR where the pixels of a picture lie; its rows are those of the data window.
+Imf::FrameBuffer frameBuffer(Picture& picture, const Imath::Box2i& dataWindow) {
+    Image& image = picture.color;
     Imf::FrameBuffer buffer;
-    for (int channel = 0; channel < 3; ++channel)
-        buffer.insert(kChannelNames[channel],
-                      Imf::Slice::Make(Imf::FLOAT, &image.pixels[0][channel], dataWindow,
-                                       sizeof(glm::vec3), sizeof(glm::vec3) * image.width));
+    const auto insert = [&](const std::string& name, Imf::PixelType type, void* first,
+                            size_t stride) {
+        buffer.insert(name,
+                      Imf::Slice::Make(type, first, dataWindow, stride, stride * image.width));
+    };
+    for (int i = 0; i < 3; ++i)
+        insert(kColorNames[i], Imf::FLOAT, &image.pixels[0][i], sizeof(glm::vec3));
+    for (Channel& channel : picture.channels)
+        std::visit(
+            [&](auto& values) {
+                insert(channel.name, typeOf(channel), values.data(), sizeof values[0]);
+            },
+            channel.pixels);
     return buffer;
 }
 
+/// Returns what `read` returns; what OpenEXR throws becomes a SceneError at `path`.
+template <typename Read>
+auto withExrErrors(const std::filesystem::path& path, Read&& read) {
+    try {
+        return read();
+    } catch (const Error&) {
+        throw;
+    } catch (const std::exception& error) {
+        throw SceneError(path.string(),
+                         std::string("the EXR file cannot be read: ") + error.what());
+    }
+}
+
 void requireColourChannels(const Imf::Header& header, const std::string& where) {
-    for (const char* name : kChannelNames) {
+    for (const char* name : kColorNames) {
         const Imf::Channel* channel = header.channels().findChannel(name);
         if (channel == nullptr || channel->xSampling != 1 || channel->ySampling != 1)
             throw SceneError(where, std::string("the file has no full-size channel ") + name +
@@ -100,52 +139,76 @@ void requireColourChannels(const Imf::Header& header, const std::string& where) 
     }
 }
 
+bool isColor(std::string_view channel) {
+    return std::ranges::any_of(kColorNames, [&](const char* name) { return channel == name; });
+}
+
+/// The channels of a file beside its colour, still empty.
+std::vector<Channel> otherChannels(const Imf::Header& header) {
+    std::vector<Channel> channels;
+    for (auto i = header.channels().begin(); i != header.channels().end(); ++i) {
+        if (isColor(i.name()) || i.channel().xSampling != 1 || i.channel().ySampling != 1)
+            continue;
+        Channel& channel = channels.emplace_back(Channel{i.name(), {}});
+        if (i.channel().type == Imf::UINT)
+            channel.pixels = std::vector<uint32_t>();
+    }
+    return channels;
+}
+
+void resize(Picture& picture, size_t pixels) {
+    picture.color.pixels.resize(pixels);
+    for (Channel& channel : picture.channels)
+        std::visit([&](auto& values) { values.resize(pixels); }, channel.pixels);
+}
+
+Picture readPicture(const std::filesystem::path& path, bool wantsOtherChannels) {
+    const ImageSize size = checkExr(path);
+    Imf::InputFile file(path.c_str());
+    requireColourChannels(file.header(), path.string());
+    const Imath::Box2i window = file.header().dataWindow();
+    Picture picture;
+    picture.color.width = size.width;
+    picture.color.height = size.height;
+    if (wantsOtherChannels)
+        picture.channels = otherChannels(file.header());
+    // Memory follows what was decoded, for a small file can claim any size.
+    constexpr int kRows = 64; // 50 MB of colour at most; whole tiles and blocks of most files
+    for (int y = window.min.y; y <= window.max.y; y += kRows) {
+        const int last = std::min(window.max.y, y + kRows - 1);
+        const auto rows = static_cast<size_t>(int64_t{last} - window.min.y + 1);
+        resize(picture, size.width * rows);
+        file.setFrameBuffer(frameBuffer(picture, window));
+        file.readPixels(y, last);
+    }
+    return picture;
+}
+
 } // namespace
 
-void writeExr(const std::filesystem::path& path, const Image& image, const ExrMetadata& metadata,
-              const ExrLayers& layers) {
-    CALOTYPE_CHECK_LT(0u, image.pixels.size());
-    Imf::Header header = describe(image, metadata);
-    // OpenEXR takes pointers to mutable memory even where it only reads.
-    Imf::FrameBuffer buffer = frameBuffer(const_cast<Image&>(image), header.dataWindow());
-    if (layers.hits) {
-        CALOTYPE_CHECK_EQ(layers.hits->width, image.width);
-        CALOTYPE_CHECK_EQ(layers.hits->height, image.height);
-    }
-    CALOTYPE_CHECK_EQ(layers.hits != nullptr, !layers.wanted.empty());
-    if (!layers.errors.empty())
-        CALOTYPE_CHECK_EQ(layers.errors.size(), image.pixels.size());
-    insertLayers(header, layers);
-    insertLayers(buffer, header, layers);
+void writeExr(const std::filesystem::path& path, const Picture& picture) {
+    const size_t pixels = picture.color.pixels.size();
+    CALOTYPE_CHECK_LT(0u, pixels);
+    for (const Channel& channel : picture.channels)
+        CALOTYPE_CHECK_EQ(
+            std::visit([](const auto& values) { return values.size(); }, channel.pixels), pixels);
+    const Imf::Header header = describe(picture);
     MemoryStream stream;
     {
         Imf::OutputFile file(stream, header);
-        file.setFrameBuffer(buffer);
-        file.writePixels(static_cast<int>(image.height));
+        // OpenEXR takes pointers to mutable memory even where it only reads.
+        file.setFrameBuffer(frameBuffer(const_cast<Picture&>(picture), header.dataWindow()));
+        file.writePixels(static_cast<int>(picture.color.height));
     }
     writeFileAtomically(path, stream.bytes());
 }
 
 Image readExr(const std::filesystem::path& path) {
-    return withExrErrors(path, [&] {
-        const ImageSize size = checkExr(path);
-        Imf::InputFile file(path.c_str());
-        requireColourChannels(file.header(), path.string());
-        const Imath::Box2i window = file.header().dataWindow();
-        Image image;
-        image.width = size.width;
-        image.height = size.height;
-        // Memory follows what was decoded, for a small file can claim any size.
-        constexpr int kRows = 64; // 50 MB at most; whole tiles and blocks of most files
-        for (int y = window.min.y; y <= window.max.y; y += kRows) {
-            const int last = std::min(window.max.y, y + kRows - 1);
-            const auto rows = static_cast<size_t>(int64_t{last} - window.min.y + 1);
-            image.pixels.resize(image.width * rows);
-            file.setFrameBuffer(frameBuffer(image, window));
-            file.readPixels(y, last);
-        }
-        return image;
-    });
+    return withExrErrors(path, [&] { return readPicture(path, false).color; });
+}
+
+Picture readExrPicture(const std::filesystem::path& path) {
+    return withExrErrors(path, [&] { return readPicture(path, true); });
 }
 
 } // namespace calotype

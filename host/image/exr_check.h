@@ -7,7 +7,7 @@
 
 namespace calotype {
 
-/// A look at an EXR file's header before OpenEXR's classes allocate memory by it in good faith.
+/// Checks the header of an EXR file, because OpenEXR's classes allocate memory by it unchecked.
 /// Throws SceneError for attributes longer than the file, sides above 65,535 pixels, chunks (blocks
 /// of rows, or tiles) above 256 MiB, more chunks than the file has room for, and deep pixels.
 /// Returns the size of the data window.

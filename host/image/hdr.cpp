@@ -11,7 +11,7 @@
 namespace calotype {
 namespace {
 
-constexpr size_t kChannels = 4; // red, green, blue, exponent
+constexpr size_t kRgbeBytes = 4; // red, green, blue, exponent
 /// Rows as long as these may be run-length encoded.
 constexpr uint32_t kShortestEncoded = 8;
 constexpr uint32_t kLongestEncoded = 32767;
@@ -29,11 +29,11 @@ public:
         image.height = height;
         if (rest_.size() < fewestBytes(width) * height)
             failCut();
-        image.floats.reserve(image.texelCount() * kChannels);
-        std::vector<unsigned char> row(size_t{width} * kChannels);
+        image.floats.reserve(image.texelCount() * kRgbeBytes);
+        std::vector<unsigned char> row(size_t{width} * kRgbeBytes);
         for (uint32_t y = 0; y < height; ++y) {
             readRow(row);
-            for (size_t i = 0; i < row.size(); i += kChannels)
+            for (size_t i = 0; i < row.size(); i += kRgbeBytes)
                 appendTexel(image.floats, &row[i]);
         }
         return image;
@@ -48,8 +48,8 @@ private:
     /// The fewest bytes that a row can take.
     static uint64_t fewestBytes(uint32_t width) {
         constexpr uint64_t kLongestRun = 127;
-        return width < kShortestEncoded ? width * kChannels
-                                        : 4 + kChannels * 2 * ((width - 1) / kLongestRun + 1);
+        return width < kShortestEncoded ? width * kRgbeBytes
+                                        : 4 + kRgbeBytes * 2 * ((width - 1) / kLongestRun + 1);
     }
 
     std::string_view line() {
@@ -99,7 +99,7 @@ private:
     }
 
     void readRow(std::vector<unsigned char>& row) {
-        const size_t width = row.size() / kChannels;
+        const size_t width = row.size() / kRgbeBytes;
         const bool encoded = width >= kShortestEncoded && width <= kLongestEncoded &&
                              rest_.starts_with("\x02\x02") && rest_.size() >= 4 &&
                              (byteAt(rest_, 2) << 8 | byteAt(rest_, 3)) == width;
@@ -111,7 +111,7 @@ private:
             return;
         }
         rest_.remove_prefix(4);
-        for (size_t channel = 0; channel < kChannels; ++channel)
+        for (size_t channel = 0; channel < kRgbeBytes; ++channel)
             readRuns(row, channel, width);
     }
 
@@ -125,7 +125,7 @@ private:
                 fail("is corrupt: a run of pixels does not fit its row");
             const unsigned char repeated = repeats ? byte() : 0;
             for (; count > 0; --count, ++x)
-                row[x * kChannels + channel] = repeats ? repeated : byte();
+                row[x * kRgbeBytes + channel] = repeats ? repeated : byte();
         }
     }
 

@@ -9,7 +9,7 @@
 namespace calotype {
 namespace {
 
-/// What stb_image's reader of headers keeps in memory, and ample room.
+/// More than the memory that stb_image takes to read a header.
 constexpr size_t kHeaderMemory = size_t{1} << 20;
 
 /// Markers, the byte after 0xff, of ITU-T T.81 (table B.1).
@@ -21,7 +21,7 @@ constexpr uint32_t kStart = 0xd8;
 constexpr uint32_t kEnd = 0xd9;
 constexpr uint32_t kFill = 0xff;
 
-/// Whether what a segment of Huffman tables holds fits their memory.
+/// Whether the tables of a segment have at most 256 codes each.
 bool areTablesSound(std::string_view tables) {
     constexpr size_t kLengths = 16;
     constexpr size_t kMostCodes = 256;

@@ -7,8 +7,8 @@
 
 namespace calotype {
 
-/// The size of a JPEG by its header, after a look for Huffman tables of more than 256 codes, past
-/// whose memory stb_image would write. Throws SceneError at `where`.
+/// The size of a JPEG from its header. Throws SceneError at `where`, also for Huffman tables of
+/// more than 256 codes, for which stb_image would write beyond its memory.
 ImageSize checkJpeg(std::string_view file, const std::string& where);
 
 } // namespace calotype

@@ -2,8 +2,8 @@
 
 namespace calotype {
 
-/// How far one pixel's luminance may be from what it would become with endless samples, W/(m^2 sr).
-/// Both are infinite where there are too few samples to tell.
+/// Estimates of the error of one pixel's luminance, W/(m^2 sr). Both are infinite where the samples
+/// are too few.
 struct PixelError {
     float standardError = 0.0f;
     float interval = 0.0f; ///< half the width of the 95 % confidence interval

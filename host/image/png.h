@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "image/rgb8_image.h"
+#include "image/image.h"
 
 namespace calotype {
 

@@ -13,7 +13,7 @@
 #include "image/pfm.h"
 #include "image/read_texel_image.h"
 #include "image/srgb.h"
-#include "image/texel_channel.h"
+#include "image/texel_values.h"
 
 namespace calotype {
 namespace {

@@ -15,8 +15,6 @@
 namespace calotype {
 namespace {
 
-constexpr int kChannels = 4;
-
 struct StbFormat {
     const char* name;
     bool (*matches)(std::string_view file);
@@ -33,7 +31,7 @@ struct FreeStb {
     void operator()(void* memory) const { stbi_image_free(memory); }
 };
 
-/// More than any of stb_image's buffers needs: JPEG's planes are padded to blocks of up to 32
+/// More than any buffer of stb_image needs: JPEG's planes are padded to blocks of up to 32
 /// pixels, PNG's rows hold up to 8 bytes per pixel and grow by doubling.
 size_t memoryFor(const ImageSize& size, size_t fileSize) {
     constexpr size_t kBytesPerPixel = 16;
@@ -53,7 +51,7 @@ std::unique_ptr<Sample, FreeStb> decode(Sample* (*load)(const stbi_uc*, int, int
     int channels = 0;
     std::unique_ptr<Sample, FreeStb> samples(load(reinterpret_cast<const stbi_uc*>(file.data()),
                                                   static_cast<int>(file.size()), &width, &height,
-                                                  &channels, kChannels));
+                                                  &channels, kTexelChannels));
     if (!samples)
         throw SceneError(where, std::string("the ") + format.name +
                                     " is corrupt or of a kind that cannot be read (" +
@@ -66,7 +64,7 @@ std::unique_ptr<Sample, FreeStb> decode(Sample* (*load)(const stbi_uc*, int, int
 
 template <typename Sample>
 bool anyTransparent(const std::vector<Sample>& samples, Sample opaque) {
-    for (size_t i = kChannels - 1; i < samples.size(); i += kChannels)
+    for (size_t i = kTexelChannels - 1; i < samples.size(); i += kTexelChannels)
         if (samples[i] < opaque)
             return true;
     return false;
@@ -81,7 +79,7 @@ TexelImage readWithStb(const StbFormat& format, std::string_view file, uint32_t 
     image.width = size.width;
     image.height = size.height;
     image.isEncoded = true;
-    const size_t count = image.texelCount() * kChannels;
+    const size_t count = image.texelCount() * kTexelChannels;
     if (stbi_is_16_bit_from_memory(reinterpret_cast<const stbi_uc*>(file.data()),
                                    static_cast<int>(file.size())) != 0) {
         const auto samples = decode(stbi_load_16_from_memory, file, format, size, where);

@@ -4,8 +4,8 @@
 
 namespace calotype {
 
-/// stb_image may allocate so many bytes at once on this thread, and fails where it asks for more:
-/// a small file can claim, or unpack to, any size.
+/// The most bytes that stb_image may allocate at once on this thread; it fails where it needs more.
+/// Without a limit, a small file can claim, or unpack to, any size.
 extern thread_local size_t stbAllocationLimit;
 
 } // namespace calotype

@@ -6,6 +6,8 @@
 
 namespace calotype {
 
+inline constexpr size_t kTexelChannels = 4; ///< red, green, blue, alpha
+
 /// What a texture is read from: RGBA texels, row 0 at the top, in one of two forms. Grey images
 /// have three equal channels; images without alpha have alpha 1.
 struct TexelImage {

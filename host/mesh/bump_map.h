@@ -1,6 +1,6 @@
 #pragma once
 
-#include "image/texel_channel.h"
+#include "image/texel_values.h"
 
 namespace calotype {
 

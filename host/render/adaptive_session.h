@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "film/adaptive_film.h"
+#include "film/develop.h"
 #include "render/block_tracer.h"
 #include "render/error_watch.h"
 #include "render/pass_renderer.h"
@@ -33,6 +34,9 @@ public:
     const RenderTotals& totals() const override { return totals_; }
     const std::optional<ErrorEstimate>& error() override;
     std::vector<PixelError> pixelErrors() const override { return calotype::pixelErrors(film_); }
+    std::vector<Channel> channelsOf(const Layer& layer) const override {
+        return calotype::channelsOf(layer, film_);
+    }
 
     const AdaptiveFilm& film() const { return film_; }
 

@@ -9,6 +9,7 @@
 #include "render/dispatch_sizer.h"
 #include "render/loop_budget.h"
 #include "render/tiles.h"
+#include "shared/layers.h"
 
 namespace calotype {
 namespace {
@@ -99,15 +100,10 @@ void FirstHitPass::readTiles(uint32_t first, uint32_t count, FirstHitImage& imag
 
 FirstHit FirstHitPass::toFirstHit(const shared::FirstHitRecord& record) const {
     static_assert(kNoPrimitive == shared::kNone);
-    FirstHit hit;
-    if (record.primitive == shared::kNone)
-        return hit;
-    hit.albedo = record.albedo;
-    hit.normal = record.normal;
-    hit.position = glm::vec3(glm::dvec3(record.position) + origin_);
-    hit.depth = record.depth;
-    hit.primitive = record.primitive;
-    hit.uv = record.uv;
+    FirstHit hit = record.hit;
+    if (hit.primitive == kNoPrimitive)
+        return {};
+    hit.position = glm::vec3(glm::dvec3(hit.position) + origin_);
     return hit;
 }
 

@@ -9,6 +9,7 @@
 #include "pack/gpu_scene.h"
 #include "render/scene_buffers.h"
 #include "settings/render_settings.h"
+#include "shared/layers.h"
 #include "shared/render_structs.h"
 
 namespace calotype {

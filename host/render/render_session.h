@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "film/develop.h"
 #include "film/film.h"
 #include "render/block_tracer.h"
 #include "render/error_watch.h"
@@ -30,6 +31,9 @@ public:
     const RenderTotals& totals() const override { return totals_; }
     const std::optional<ErrorEstimate>& error() override;
     std::vector<PixelError> pixelErrors() const override { return calotype::pixelErrors(film_); }
+    std::vector<Channel> channelsOf(const Layer& layer) const override {
+        return calotype::channelsOf(layer, film_);
+    }
 
     const Film& film() const { return film_; }
 

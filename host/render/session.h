@@ -9,6 +9,8 @@
 #include "film/error_estimate.h"
 #include "film/film.h"
 #include "image/image.h"
+#include "image/layers.h"
+#include "image/picture.h"
 #include "image/pixel_error.h"
 
 namespace calotype {
@@ -68,6 +70,9 @@ public:
     /// Of the whole blocks as they are; none where they are too few to tell.
     virtual const std::optional<ErrorEstimate>& error() = 0;
     virtual std::vector<PixelError> pixelErrors() const = 0;
+
+    /// Of the whole blocks as well: the channels of a layer for which a film is enough.
+    virtual std::vector<Channel> channelsOf(const Layer& layer) const = 0;
 };
 
 } // namespace calotype

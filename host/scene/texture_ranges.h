@@ -5,7 +5,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "image/texel_range.h"
+#include "image/texel_values.h"
 #include "scene/texture.h"
 
 namespace calotype {

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "image/rgb8_image.h"
+#include "image/image.h"
 
 namespace calotype {
 

@@ -1,5 +1,5 @@
 #version 460
-// What each pixel of a run of tiles shows first. A tile's records lie together, row by row.
+// The first hits of the pixels of a run of tiles. The records of a tile lie together, row by row.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
 
@@ -9,9 +9,26 @@
 layout(local_size_x = kTileSize * kTileSize) in;
 layout(push_constant) uniform Parameters { FirstHitParameters parameters; };
 layout(set = 0, binding = kBindingCamera) uniform CameraBlock { Camera camera; };
-layout(set = 0, binding = kBindingFirstHits) writeonly buffer FirstHits {
-    FirstHitRecord records[];
-};
+layout(set = 0, binding = kBindingFirstHits) writeonly buffer FirstHits { uint words[]; };
+
+void put(inout uint place, uint value) { words[place++] = value; }
+void put(inout uint place, float value) { put(place, floatBitsToUint(value)); }
+void put(inout uint place, vec2 value) {
+    put(place, value.x);
+    put(place, value.y);
+}
+void put(inout uint place, vec3 value) {
+    put(place, value.xy);
+    put(place, value.z);
+}
+
+void putRecord(uint index, FirstHitRecord record) {
+    uint place = index * kFirstHitWords;
+#define CALOTYPE_PUT(name, type, nothing, channels, help) put(place, record.hit.name);
+    CALOTYPE_FIRST_HIT_LAYERS(CALOTYPE_PUT)
+#undef CALOTYPE_PUT
+    put(place, record.isCut);
+}
 
 void main() {
     uint tile = parameters.firstTile + gl_WorkGroupID.x;
@@ -20,6 +37,6 @@ void main() {
         return;
     uvec2 inTile = pixel % kTileSize;
     uint index = (gl_WorkGroupID.x * kTileSize + inTile.y) * kTileSize + inTile.x;
-    records[index] = firstHit(camera, parameters.cropOrigin + pixel, parameters.imageSize,
-                              parameters.iterationsBeforeCut);
+    putRecord(index, firstHit(camera, parameters.cropOrigin + pixel, parameters.imageSize,
+                              parameters.iterationsBeforeCut));
 }

@@ -5,9 +5,10 @@
 #include "lights/light.glsl"
 #include "path/camera.glsl"
 #include "path/visibility.glsl"
+#include "shared/layers.h"
 #include "shared/render_structs.h"
 
-/// Surfaces that a ray passes through, at most, lest a deep stack of them takes long.
+/// The most surfaces that a ray passes through, so that a deep stack of them does not take long.
 const uint kMostPassedSurfaces = 1024u;
 
 /// True where the pixel shows what lies behind: at lights hidden from the camera, and where less
@@ -19,24 +20,27 @@ bool isSeenThrough(Interaction surface) {
     return seenThrough;
 }
 
-FirstHitRecord recordOf(Interaction surface, Camera camera, vec3 wo) {
+FirstHit firstHitOn(Interaction surface, Camera camera, vec3 wo) {
     SurfaceParameters parameters = surfaceParameters(materialOf(surface), surface);
     float side = dot(wo, surface.ng) >= 0.0 ? 1.0 : -1.0;
-    FirstHitRecord record;
-    record.albedo = surfaceAlbedo(parameters);
-    record.depth = dot(surface.position - camera.position, camera.forward);
-    record.normal = side * surface.ns;
-    record.primitive = surface.id;
-    record.position = surface.position;
-    record.isCut = 0u;
-    record.uv = hasTextures ? surface.coordinates.uv : vec2(0.0);
-    record.pad0 = 0u;
-    record.pad1 = 0u;
-    return record;
+    FirstHit hit;
+    hit.albedo = surfaceAlbedo(parameters);
+    hit.depth = dot(surface.position - camera.position, camera.forward);
+    hit.normal = side * surface.ns;
+    hit.primitive = surface.id;
+    hit.position = surface.position;
+    hit.uv = hasTextures ? surface.coordinates.uv : vec2(0.0);
+    return hit;
 }
 
-FirstHitRecord recordOfNothing() {
-    return FirstHitRecord(vec3(0.0), 0.0, vec3(0.0), kNone, vec3(0.0), 0u, vec2(0.0), 0u, 0u);
+/// All fields are 0, but for the primitive.
+FirstHit firstHitOnNothing() {
+    FirstHit hit;
+#define CALOTYPE_CLEAR(name, type, nothing, channels, help) hit.name = type(0);
+    CALOTYPE_FIRST_HIT_LAYERS(CALOTYPE_CLEAR)
+#undef CALOTYPE_CLEAR
+    hit.primitive = kNone;
+    return hit;
 }
 
 /// What the ray through the pixel's middle, from the lens's, meets first. Where it has passed
@@ -44,7 +48,7 @@ FirstHitRecord recordOfNothing() {
 /// opaque.
 FirstHitRecord firstHit(Camera camera, uvec2 pixel, uvec2 imageSize, uint mostIterations) {
     Ray ray = cameraRay(camera, vec2(pixel) + 0.5, imageSize, vec2(0.0));
-    FirstHitRecord record = recordOfNothing();
+    FirstHitRecord record = FirstHitRecord(firstHitOnNothing(), 0u);
     uint iterations = 0u;
     uint passed = 0u;
     bool goesOn;
@@ -58,7 +62,7 @@ FirstHitRecord firstHit(Camera camera, uvec2 pixel, uvec2 imageSize, uint mostIt
             goesOn = seenThrough && mayGoOn;
             ray.origin = goesOn ? pointBeyond(surface, ray.direction) : ray.origin;
             if (!goesOn) {
-                record = recordOf(surface, camera, -ray.direction);
+                record.hit = firstHitOn(surface, camera, -ray.direction);
                 record.isCut = seenThrough ? 1u : 0u;
             }
         }

@@ -22,7 +22,7 @@ CALOTYPE_CONSTANT uint kSceneBindingCount = 10;
 CALOTYPE_CONSTANT uint kBindingCamera = 10;   ///< uniform buffer
 CALOTYPE_CONSTANT uint kBindingBlock = 11;    ///< storage image
 CALOTYPE_CONSTANT uint kBindingCounters = 12; ///< storage buffer
-/// Storage buffer of one FirstHitRecord per pixel of the dispatch's tiles.
+/// Storage buffer of one FirstHitRecord, in words, per pixel of the dispatch's tiles.
 CALOTYPE_CONSTANT uint kBindingFirstHits = 13;
 /// Storage buffer of one ParkedPath per task of every lane of every workgroup of a dispatch.
 CALOTYPE_CONSTANT uint kBindingParkedPaths = 14;

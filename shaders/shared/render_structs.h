@@ -64,19 +64,6 @@ struct FirstHitParameters {
     uint iterationsBeforeCut; ///< loop iterations after which a ray passes through nothing more
 };
 
-/// What a pixel's ray meets first. All but `primitive` is zero where it meets nothing.
-struct FirstHitRecord {
-    vec3 albedo;
-    float depth;    ///< metres along the camera's forward axis
-    vec3 normal;    ///< unit shading normal on the viewer's side
-    uint primitive; ///< its number in the order of the scene file, or kNone
-    vec3 position;  ///< metres from the packed scene's origin
-    uint isCut;     ///< 1 where the ray could have passed through what it met, but for its limits
-    vec2 uv;
-    uint pad0;
-    uint pad1;
-};
-
 CALOTYPE_END_SHARED
 
 #ifdef __cplusplus
@@ -85,7 +72,6 @@ static_assert(sizeof(RenderParameters) == 56);
 static_assert(sizeof(RenderCounters) == 32);
 static_assert(sizeof(ParkedPath) == 112);
 static_assert(sizeof(FirstHitParameters) == 32);
-static_assert(sizeof(FirstHitRecord) == 64);
 } // namespace calotype::shared
 #endif
 

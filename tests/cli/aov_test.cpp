@@ -11,7 +11,7 @@
 #include "film/error_estimate.h"
 #include "film/film_file.h"
 #include "image/exr.h"
-#include "image/exr_layers.h"
+#include "image/layers.h"
 #include "image/pfm.h"
 
 namespace calotype::test {

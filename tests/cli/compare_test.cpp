@@ -24,7 +24,7 @@ protected:
         if (name.ends_with(".pfm"))
             writePfm(path, image);
         else
-            writeExr(path, image, {});
+            writeExr(path, {image});
         return path;
     }
 

@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/cli_test.h"
-#include "image/exr_layers.h"
+#include "image/layers.h"
 
 namespace calotype::test {
 namespace {

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/cli_test.h"
-#include "film/write_image.h"
+#include "film/write_picture.h"
 #include "image/exr.h"
 #include "image/pfm.h"
 #include "support/image_means.h"
@@ -74,9 +74,9 @@ TEST_F(RenderTest, ExposureAndToneMapGoIntoThePngOnly) {
     EXPECT_EQ(runProgram({"render", scene_, "-o", plainExr}).exitCode, 0);
     EXPECT_EQ(readExr(plainExr).pixels, readExr(exr).pixels);
     const std::string expected = folder_ / "expected.png";
-    writeImage(expected, readExr(exr), {.exposureStops = 2.0f, .toneMap = ToneMap::Neutral}, {});
+    writePicture(expected, {readExr(exr)}, {.exposureStops = 2.0f, .toneMap = ToneMap::Neutral});
     EXPECT_EQ(readText(png), readText(expected));
-    writeImage(expected, readExr(exr), {}, {});
+    writePicture(expected, {readExr(exr)}, {});
     EXPECT_NE(readText(png), readText(expected));
 }
 

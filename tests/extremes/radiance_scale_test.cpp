@@ -79,7 +79,7 @@ TEST_F(RadianceScaleTest, FilesHoldBothEnds) {
             if (path.extension() == ".pfm")
                 writePfm(path, image);
             else
-                writeExr(path, image, {}, {});
+                writeExr(path, {image});
             EXPECT_EQ(readImage(path).pixels, image.pixels) << path << " " << factor;
         }
         for (const ToneMap toneMap : {ToneMap::None, ToneMap::Neutral, ToneMap::Reinhard}) {

@@ -4,6 +4,7 @@
 #include "kernels/layout_echo.spv.h"
 #include "render/scene_buffers.h"
 #include "shared/bindings.h"
+#include "shared/layers.h"
 #include "shared/ray_structs.h"
 #include "shared/render_structs.h"
 #include "support/gpu_test.h"

@@ -68,9 +68,9 @@ void expectOrder(const fs::path& root, const FolderOrder& order) {
 
 // The order of the design: a folder includes itself and what stands to its left.
 TEST(FolderOrderTest, HostIncludesOnlyToTheLeft) {
-    const FolderOrder order = {"base",      "math",   "image",     "shared", "settings",
-                               "scene",     "mesh",   "materials", "check",  "read",
-                               "accel",     "pack",   "gpu",       "film",   "kernels",
+    const FolderOrder order = {"base",      "math",   "shared",    "image", "settings",
+                               "scene",     "mesh",   "materials", "check", "read",
+                               "accel",     "pack",   "gpu",       "film",  "kernels",
                                "reference", "render", "study",     "cli"};
     expectOrder(kRoot / "host", order);
     EXPECT_GT(filesBelow(kRoot / "host").size(), 50u);

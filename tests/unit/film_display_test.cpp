@@ -6,7 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "film/write_image.h"
+#include "film/write_picture.h"
+#include "image/exr.h"
 #include "image/pfm.h"
 #include "image/srgb.h"
 #include "support/scratch_folder.h"
@@ -102,17 +103,17 @@ TEST(ToneMap, ReinhardKeepsTheRatiosOfChannels) {
     EXPECT_EQ(applyToneMap(ToneMap::Reinhard, {3.0f, 1.5f, 0.0f}), glm::vec3(0.75f, 0.375f, 0.0f));
 }
 
-TEST(WriteImage, PicksTheFormatByExtension) {
+TEST(WritePicture, PicksTheFormatByExtension) {
     Image image(2, 1);
     image.pixels = {{0.1f, 0.2f, NAN}, {3.0f, 0.0f, -1.0f}};
     const test::ScratchFolder folder;
     for (const char* name : {"a.png", "a.exr", "a.PFM"})
-        writeImage(folder / name, image, {}, {});
+        writePicture(folder / name, {image}, {});
     EXPECT_EQ(test::readBytes(folder / "a.png").substr(1, 3), "PNG");
     EXPECT_EQ(readExr(folder / "a.exr").at(1, 0), image.at(1, 0));
     EXPECT_EQ(readPfm(folder / "a.PFM").at(1, 0), image.at(1, 0));
-    EXPECT_THROW(writeImage(folder / "a.jpg", image, {}, {}), OutputError);
-    EXPECT_THROW(writeImage(folder / "missing/a.png", image, {}, {}), OutputError);
+    EXPECT_THROW(writePicture(folder / "a.jpg", {image}, {}), OutputError);
+    EXPECT_THROW(writePicture(folder / "missing/a.png", {image}, {}), OutputError);
     EXPECT_EQ(folder.entries(), 3u);
 }
 

@@ -87,6 +87,43 @@ TEST_F(FilmFile, KeepsAnEmptyFilm) {
     EXPECT_TRUE(readFilm(path_).film.blocks().empty());
 }
 
+/// The version of the format, and whether the description names channels.
+std::pair<int, bool> formatOf(const std::string& bytes) {
+    return {bytes[8], bytes.find("\"channels\"") != std::string::npos};
+}
+
+Film filmWithChannels(const std::vector<std::string>& others) {
+    Film film(30, 20, 0.25, others);
+    std::vector<float> sums(film.pixelCount() * others.size());
+    for (size_t i = 0; i < sums.size(); ++i)
+        sums[i] = static_cast<float>(i) / 3.0f;
+    film.addBlock(5, randomBlock(5, film.pixelCount()), {}, sums);
+    return film;
+}
+
+TEST_F(FilmFile, KeepsOtherChannels) {
+    const Film film = filmWithChannels({"albedo.R", "depth.Z"});
+    writeFilm(path_, someLabel(), film);
+    EXPECT_EQ(formatOf(readText(path_)), std::pair(2, true));
+    const KeptFilm kept = readFilm(path_);
+    EXPECT_EQ(kept.film.channels(), film.channels());
+    EXPECT_TRUE(kept.film.sums() == film.sums());
+    EXPECT_NE(errorOf([&] {
+                  requireSameOrigin(path_, kept, someLabel(), 30, 20, 0.25);
+              }).find("other channels: R, G, B, albedo.R, depth.Z, not R, G, B"),
+              std::string::npos);
+    EXPECT_EQ(errorOf([&] {
+                  requireSameOrigin(path_, kept, someLabel(), 30, 20, 0.25, film.channels());
+              }),
+              "");
+}
+
+// So that older programs read it.
+TEST_F(FilmFile, OfColoursAloneIsOfVersionOne) {
+    writeFilm(path_, someLabel(), filmOf(3, 2, {0}));
+    EXPECT_EQ(formatOf(readText(path_)), std::pair(1, false));
+}
+
 TEST_F(FilmFile, IsTheSameBytesInAnyOrderOfBlocks) {
     writeFilm(path_, someLabel(), filmOf(20, 10, {0, 1, 2, 5}));
     const std::string bytes = readText(path_);
@@ -134,7 +171,24 @@ TEST_F(FilmFile, SaysWhatIsWrong) {
     EXPECT_NE(errorOf([&] { readFilm(newer); }).find("format 9"), std::string::npos);
 }
 
-// A description that was made up, under a checksum that is right.
+/// A film's bytes with a part of the description changed, under a checksum that is right.
+std::string withDescription(std::string bytes, const std::string& from, const std::string& to) {
+    const size_t at = bytes.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    bytes.replace(at, from.size(), to);
+    const auto put = [&](size_t place, uint64_t number, size_t count) {
+        for (size_t i = 0; i < count; ++i)
+            bytes[place + i] = static_cast<char>(number >> 8 * i);
+    };
+    const auto length =
+        static_cast<unsigned char>(bytes[12]) | static_cast<unsigned char>(bytes[13]) << 8;
+    put(12, length + to.size() - from.size(), 4);
+    ContentHash hash;
+    hash.add(std::string_view(bytes).substr(24));
+    put(16, hash.value(), 8);
+    return bytes;
+}
+
 TEST_F(FilmFile, RefusesDescriptionsThatMakeNoSense) {
     writeFilm(path_, someLabel(), filmOf(3, 2, {0, 4}));
     for (const auto& [from, to] :
@@ -145,21 +199,21 @@ TEST_F(FilmFile, RefusesDescriptionsThatMakeNoSense) {
           {"\"unit_exponent\":-2", "\"unit_exponent\":-999"},
           {"\"scene_hash\":\"f", "\"scene_hash\":\"x"},
           {"\"devices\":[", "\"devices\":7,\"d\":["}}) {
-        std::string bytes = readText(path_);
-        const size_t at = bytes.find(from);
-        ASSERT_NE(at, std::string::npos) << from;
-        bytes.replace(at, from.size(), to);
-        const auto put = [&](size_t place, uint64_t number, size_t count) {
-            for (size_t i = 0; i < count; ++i)
-                bytes[place + i] = static_cast<char>(number >> 8 * i);
-        };
-        const auto length =
-            static_cast<unsigned char>(bytes[12]) | static_cast<unsigned char>(bytes[13]) << 8;
-        put(12, length + to.size() - from.size(), 4);
-        ContentHash hash;
-        hash.add(std::string_view(bytes).substr(24));
-        put(16, hash.value(), 8);
-        const std::string path = folder_.write("odd.film", bytes);
+        const std::string path =
+            folder_.write("odd.film", withDescription(readText(path_), from, to));
+        EXPECT_NE(errorOf([&] { readFilm(path); }).find("makes no sense"), std::string::npos) << to;
+    }
+}
+
+TEST_F(FilmFile, RefusesChannelsThatMakeNoSense) {
+    writeFilm(path_, someLabel(), filmWithChannels({"depth.Z"}));
+    const std::string from = "\"channels\":[\"R\",\"G\",\"B\",\"depth.Z\"]";
+    for (const char* to :
+         {"\"channels\":[\"R\",\"G\",\"B\"]", "\"channels\":[]", "\"channels\":7",
+          "\"channels\":[\"R\",\"B\",\"G\",\"depth.Z\"]", "\"channels\":[\"R\",\"G\",\"B\",7]",
+          "\"channels\":[\"R\",\"G\",\"B\",\"u\",\"v\"]", "\"c\":[]"}) {
+        const std::string path =
+            folder_.write("odd.film", withDescription(readText(path_), from, to));
         EXPECT_NE(errorOf([&] { readFilm(path); }).find("makes no sense"), std::string::npos) << to;
     }
 }

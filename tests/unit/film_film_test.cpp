@@ -116,10 +116,10 @@ TEST(Film, DoesNotDriftOverAMillionBlocks) {
     for (int i = 0; i < kBlocks; ++i)
         addNext(film, block);
     // 0.1f = 13421773 * 2^-27 and 0.7f = 11744051 * 2^-24; the unit takes 2 of the 64 bits.
-    const Film::Sum& sum = film.sums().colors[0];
-    EXPECT_TRUE(sum.r == (FixedPoint{13421773} * kBlocks) << (64 - 27 - 2));
-    EXPECT_TRUE(sum.g == -((FixedPoint{11744051} * kBlocks) << (64 - 24 - 2)));
-    EXPECT_TRUE(sum.b == (FixedPoint{3} * kBlocks) << (64 - 2));
+    const std::vector<FixedPoint>& sums = film.sums().channels;
+    EXPECT_TRUE(sums[0] == (FixedPoint{13421773} * kBlocks) << (64 - 27 - 2));
+    EXPECT_TRUE(sums[1] == -((FixedPoint{11744051} * kBlocks) << (64 - 24 - 2)));
+    EXPECT_TRUE(sums[2] == (FixedPoint{3} * kBlocks) << (64 - 2));
     EXPECT_EQ(film.picture().at(0, 0), glm::vec3(0.1f, -0.7f, 3.0f) / kWhole);
 }
 
@@ -138,7 +138,7 @@ TEST(Film, RoundsBelowItsExactRangeByAtMostHalfAStep) {
     Film film(1, 1, 1.0);
     const float tiny = 0x1.234566p-60f;
     addNext(film, uniformBlock(1, glm::vec3(tiny)));
-    EXPECT_LE(std::abs(fromFixedPoint(film.sums().colors[0].r) - tiny), 0x1p-65);
+    EXPECT_LE(std::abs(fromFixedPoint(film.sums().channels[0]) - tiny), 0x1p-65);
 }
 
 TEST(Film, CountsWhatIsNotFiniteAndAddsNothing) {
@@ -177,8 +177,8 @@ TEST(FilmDeathTest, HoldsItsLimitOfTheBrightestBlocksAndNoMore) {
     for (uint64_t i = 0; i < Film::kMaxBlocks; ++i)
         addNext(film, block);
     const FixedPoint expected = FixedPoint{0xffffff} << (16 + 64 + 23);
-    EXPECT_TRUE(film.sums().colors[0].r == expected);
-    EXPECT_TRUE(film.sums().colors[0].g == -expected);
+    EXPECT_TRUE(film.sums().channels[0] == expected);
+    EXPECT_TRUE(film.sums().channels[1] == -expected);
     EXPECT_DEATH(addNext(film, block), "check failed: sums_.blocks.count");
 }
 
@@ -189,7 +189,7 @@ TEST(Film, TakesTheExtremesOfUnitAndRadiance) {
     addNext(dim, uniformBlock(1, {smallest, largest, 0.0f}));
     addNext(dim, uniformBlock(1, {smallest, 0.0f, 0.0f}));
     EXPECT_EQ(dim.losses().overflowedPixels, 1u);
-    EXPECT_EQ(fromFixedPoint(dim.sums().colors[0].r) * dim.unit(), smallest);
+    EXPECT_EQ(fromFixedPoint(dim.sums().channels[0]) * dim.unit(), smallest);
     Film bright(1, 1, 0x1p127);
     addNext(bright, uniformBlock(1, {largest, smallest, 0.0f}));
     EXPECT_EQ(bright.picture().at(0, 0).r, largest / kWhole);
@@ -213,6 +213,54 @@ TEST(Film, ShowsAPartialBlockInThePictureOnly) {
     EXPECT_EQ(film.blocks().count(), 1u);
     EXPECT_EQ(film.losses().nonFinitePixels, 0u);
     EXPECT_EQ(film.picture().at(1, 0), glm::vec3(2.0f));
+}
+
+TEST(Film, TakesTheMeansOfItsOtherChannels) {
+    Film film(2, 1, 256.0, {"depth.Z", "uv.U"});
+    EXPECT_EQ(film.channels(), (std::vector<std::string>{"R", "G", "B", "depth.Z", "uv.U"}));
+    EXPECT_EQ(film.mean(3), (std::vector<float>{0, 0}));
+    const float tiny = 0x1p-40f; // below the exact range of the colours, whose unit is 256
+    const Block block = uniformBlock(2, glm::vec3(16.0f, 32.0f, 64.0f));
+    film.addBlock(0, block, {}, std::vector<float>{16, tiny, 1e9f, 0});
+    film.addBlock(1, block, {}, std::vector<float>{-48, tiny, 1e9f, 16});
+    EXPECT_EQ(film.mean(3), (std::vector<float>{-1, 1e9f / 16}));
+    EXPECT_EQ(film.mean(4), (std::vector<float>{tiny / 16, 0.5f}));
+    EXPECT_EQ(film.mean(1), (std::vector<float>{2, 2}));
+    EXPECT_EQ(film.picture().at(1, 0), glm::vec3(1, 2, 4));
+}
+
+TEST(Film, IsTheSameLightWithOtherChannels) {
+    Film plain(2, 1, 1.0);
+    Film film(2, 1, 1.0, {"depth.Z"});
+    const Block block = {{1, 2, 3, kWhole}, {NAN, 2, 3, kWhole}};
+    plain.addBlock(3, block);
+    film.addBlock(3, block, {}, std::vector<float>{kInfinity, 16});
+    EXPECT_EQ(film.picture().pixels, plain.picture().pixels);
+    EXPECT_TRUE(film.sums().luminances == plain.sums().luminances);
+    EXPECT_EQ(film.losses(), plain.losses());
+    // What is not finite, or out of range, adds nothing.
+    EXPECT_EQ(film.mean(3), (std::vector<float>{0, 1}));
+    film.addBlock(4, block, {}, std::vector<float>{NAN, 0x1p40f});
+    EXPECT_EQ(film.mean(3), (std::vector<float>{0, 0.5f}));
+}
+
+TEST(Film, JoinsItsOtherChannels) {
+    const Block block = uniformBlock(1, glm::vec3(1.0f));
+    Film whole(1, 1, 1.0, {"depth.Z"});
+    Film first = whole;
+    Film second = whole;
+    for (Film* film : {&whole, &first})
+        film->addBlock(0, block, {}, std::vector<float>{1.0f});
+    for (Film* film : {&whole, &second})
+        film->addBlock(1, block, {}, std::vector<float>{2.0f});
+    second.add(first);
+    EXPECT_TRUE(second.sums() == whole.sums());
+}
+
+TEST(FilmDeathTest, RefusesOtherChannelsThanItsOwn) {
+    Film film(1, 1, 1.0, {"depth.Z"});
+    EXPECT_DEATH(film.addBlock(0, uniformBlock(1, glm::vec3(1.0f))), "check failed: otherSums");
+    EXPECT_DEATH(film.add(Film(1, 1, 1.0)), "check failed: channels_");
 }
 
 TEST(FilmDeathTest, RefusesBlocksThatAreNotWhole) {

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "image/read_texel_image.h"
-#include "image/texel_channel.h"
+#include "image/texel_values.h"
 #include "scene/texture.h"
 #include "support/paths.h"
 #include "unit/memory_use.h"

@@ -41,7 +41,7 @@ TEST(Exr, ComesBackBitForBit) {
     image.at(49, 40) = {std::nanf("7"), infinity, -infinity};
     image.at(3, 17) = {-0.0f, 1e-42f, 0.1f};
     const ScratchFolder folder;
-    writeExr(folder / "a.exr", image, {});
+    writeExr(folder / "a.exr", {image});
     const Image read = readExr(folder / "a.exr");
     ASSERT_EQ(read.width, 50u);
     ASSERT_EQ(read.height, 41u);
@@ -52,15 +52,12 @@ TEST(Exr, ComesBackBitForBit) {
 }
 
 TEST(Exr, HeaderSaysHowThePictureCameAbout) {
-    ExrMetadata metadata;
-    metadata.version = "1.2.3";
-    metadata.sceneHash = 0x0123456789abcdef;
-    metadata.seed = 4000000000u;
-    metadata.sampler = "sobol";
-    metadata.samplesPerPixel = 64;
-    metadata.seconds = 1.25;
+    Picture picture{gradient(4, 3)};
+    picture.metadata = {{"version", "1.2.3"}, {"sceneHash", "0123456789abcdef"},
+                        {"seed", 4e9},        {"sampler", "sobol"},
+                        {"spp", 64},          {"seconds", 1.25}};
     const ScratchFolder folder;
-    writeExr(folder / "a.exr", gradient(4, 3), metadata);
+    writeExr(folder / "a.exr", picture);
 
     const Imf::InputFile file((folder / "a.exr").c_str());
     const Imf::Header& header = file.header();
@@ -79,11 +76,10 @@ TEST(Exr, HeaderSaysHowThePictureCameAbout) {
 }
 
 TEST(Exr, CropLiesWhereItBelongs) {
-    ExrMetadata metadata;
-    metadata.crop = CropPlacement{5, 7, 640, 480};
-    const Image image = gradient(4, 3);
+    Picture picture{gradient(4, 3)};
+    picture.crop = CropPlacement{5, 7, 640, 480};
     const ScratchFolder folder;
-    writeExr(folder / "a.exr", image, metadata);
+    writeExr(folder / "a.exr", picture);
     {
         const Imf::InputFile file((folder / "a.exr").c_str());
         EXPECT_EQ(file.header().displayWindow(), Imath::Box2i({0, 0}, {639, 479}));
@@ -92,13 +88,13 @@ TEST(Exr, CropLiesWhereItBelongs) {
     const Image read = readExr(folder / "a.exr");
     ASSERT_EQ(read.width, 4u);
     ASSERT_EQ(read.height, 3u);
-    EXPECT_EQ(read.pixels, image.pixels);
+    EXPECT_EQ(read.pixels, picture.color.pixels);
 }
 
 TEST(ExrDeathTest, CropOutsideItsFilmIsAMistake) {
-    ExrMetadata metadata;
-    metadata.crop = CropPlacement{637, 0, 640, 480};
-    EXPECT_DEATH(writeExr("/dev/null", gradient(4, 3), metadata), "check failed");
+    Picture picture{gradient(4, 3)};
+    picture.crop = CropPlacement{637, 0, 640, 480};
+    EXPECT_DEATH(writeExr("/dev/null", picture), "check failed");
 }
 
 /// A file as another program may write it: half floats, an extra channel, a window off the origin.
@@ -136,7 +132,7 @@ TEST(Exr, RefusesWhatItCannotRead) {
     writeForeignExr(folder / "grey.exr", {"Y"});
     EXPECT_THROW(readExr(folder / "grey.exr"), SceneError);
 
-    writeExr(folder / "whole.exr", gradient(50, 41), {});
+    writeExr(folder / "whole.exr", {gradient(50, 41)});
     const std::string bytes = readBytes(folder / "whole.exr");
     writeBytes(folder / "half.exr", bytes.substr(0, bytes.size() / 2));
     EXPECT_THROW(readExr(folder / "half.exr"), SceneError);

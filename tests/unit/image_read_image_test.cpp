@@ -7,6 +7,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 
+#include "base/error.h"
 #include "image/exr.h"
 #include "image/pfm.h"
 #include "support/image_files.h"
@@ -47,7 +48,7 @@ protected:
     }
 
     std::string exrOf(const Image& image) const {
-        writeExr(folder_ / "a.exr", image, {});
+        writeExr(folder_ / "a.exr", {image});
         return readBytes(folder_ / "a.exr");
     }
 

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "image/channel_image.h"
 #include "image/read_texel_image.h"
+#include "image/texel_values.h"
 #include "support/image_files.h"
 #include "unit/scene_files.h"
 

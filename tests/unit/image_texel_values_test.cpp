@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "image/mean_color.h"
-#include "image/texel_range.h"
+#include "image/texel_values.h"
 
 namespace calotype::test {
 namespace {

@@ -2,8 +2,7 @@
 
 #include <bit>
 
-#include "image/channel_image.h"
-#include "image/mean_color.h"
+#include "image/texel_values.h"
 #include "mesh/bump_map.h"
 #include "read/texture_file.h"
 

@@ -7,7 +7,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "image/texel_channel.h"
+#include "image/texel_values.h"
 
 namespace calotype {
 

@@ -4,6 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 
 #include "buffers/packed_scene.glsl"
+#include "shared/layers.h"
 #include "shared/ray_structs.h"
 #include "shared/render_structs.h"
 #include "support/kernels/test_structs.h"
@@ -17,9 +18,7 @@ layout(set = 0, binding = kBindingCamera) uniform CameraBlock { Camera camera; }
 layout(set = 0, binding = kBindingCounters) readonly buffer CountersBlock {
     RenderCounters counters;
 };
-layout(set = 0, binding = kBindingFirstHits) readonly buffer FirstHits {
-    FirstHitRecord records[];
-};
+layout(set = 0, binding = kBindingFirstHits) readonly buffer FirstHits { uint firstHitWords[]; };
 layout(set = 0, binding = kBindingParkedPaths) readonly buffer ParkedPaths {
     ParkedPath parkedPaths[];
 };
@@ -181,16 +180,8 @@ void putFirstHit() {
     put(p.cropSize);
     put(p.firstTile);
     put(p.iterationsBeforeCut);
-    FirstHitRecord r = records[1];
-    put(r.albedo);
-    put(r.depth);
-    put(r.normal);
-    put(r.primitive);
-    put(r.position);
-    put(r.isCut);
-    put(r.uv);
-    put(r.pad0);
-    put(r.pad1);
+    for (uint i = 0u; i < kFirstHitWords; ++i)
+        put(firstHitWords[kFirstHitWords + i]);
 }
 
 void putParkedPath() {

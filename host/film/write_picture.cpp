@@ -1,17 +1,18 @@
-#include "film/write_image.h"
+#include "film/write_picture.h"
 
+#include <optional>
 #include <string>
 
 #include "base/error.h"
+#include "image/exr.h"
 #include "image/image_format.h"
 #include "image/pfm.h"
 #include "image/png.h"
 
 namespace calotype {
 
-void writeImage(const std::filesystem::path& path, const Image& image,
-                const DisplayTransform& transform, const ExrMetadata& metadata,
-                const ExrLayers& layers) {
+void writePicture(const std::filesystem::path& path, const Picture& picture,
+                  const DisplayTransform& transform) {
     const std::optional<ImageFormat> format = imageFormatOf(path);
     if (!format)
         throw OutputError("cannot write '" + path.string() +
@@ -19,11 +20,11 @@ void writeImage(const std::filesystem::path& path, const Image& image,
                           std::string(kImageExtensions));
     switch (*format) {
     case ImageFormat::Png:
-        return writePng(path, toDisplay(image, transform));
+        return writePng(path, toDisplay(picture.color, transform));
     case ImageFormat::Exr:
-        return writeExr(path, image, metadata, layers);
+        return writeExr(path, picture);
     case ImageFormat::Pfm:
-        return writePfm(path, image);
+        return writePfm(path, picture.color);
     }
 }
 

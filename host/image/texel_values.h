@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include <glm/vec3.hpp>
+
 #include "image/texel_image.h"
 
 namespace calotype {
@@ -21,5 +23,25 @@ inline float texelValue(const TexelImage& image, size_t index, TexelChannel chan
     return 0.2126f * texelComponent(image, index, 0) + 0.7152f * texelComponent(image, index, 1) +
            0.0722f * texelComponent(image, index, 2);
 }
+
+/// An opaque grey image of one channel of `image`, not encoded.
+TexelImage greyImage(const TexelImage& image, TexelChannel channel);
+
+/// A white image whose alpha is one channel of `image`, clamped to [0, 1].
+TexelImage alphaImage(const TexelImage& image, TexelChannel channel);
+
+/// The mean colour of an image, without regard to alpha. `decode` makes sRGB-encoded colours linear
+/// before the mean is taken, as a colour slot does.
+glm::dvec3 meanColor(const TexelImage& image, bool decode);
+
+/// The least and the greatest value of red, green and blue over all texels of an image, bytes
+/// scaled to [0, 1]; nothing is decoded.
+struct TexelRange {
+    glm::dvec3 least{0.0};
+    glm::dvec3 greatest{0.0};
+};
+
+/// Of an image that is not empty.
+TexelRange texelRange(const TexelImage& image);
 
 } // namespace calotype

@@ -1,4 +1,4 @@
-#include "image/exr_layers.h"
+#include "image/layers.h"
 
 #include <cstring>
 #include <set>
@@ -20,9 +20,8 @@ namespace {
 using test::ScratchFolder;
 using test::writeBytes;
 
-using enum FirstHitLayer;
-
-const std::vector<FirstHitLayer> kAllLayers = {Albedo, Normal, Depth, Position, Primitive, Uv};
+const std::vector<std::string> kAllLayers = {"albedo",   "normal",    "depth",
+                                             "position", "primitive", "uv"};
 
 /// Hits whose numbers are all different, but for one that shows nothing.
 FirstHitImage distinctHits(uint32_t width, uint32_t height) {
@@ -41,11 +40,20 @@ FirstHitImage distinctHits(uint32_t width, uint32_t height) {
     return hits;
 }
 
-Image greyPicture(uint32_t width, uint32_t height) {
-    Image image(width, height);
-    for (glm::vec3& pixel : image.pixels)
+Picture greyPicture(uint32_t width, uint32_t height) {
+    Picture picture{Image(width, height)};
+    for (glm::vec3& pixel : picture.color.pixels)
         pixel = glm::vec3(0.5f);
-    return image;
+    return picture;
+}
+
+/// A grey picture with layers of the hits.
+Picture pictureWith(const FirstHitImage& hits, const std::vector<std::string>& layers) {
+    Picture picture = greyPicture(hits.width, hits.height);
+    for (const std::string& name : layers)
+        for (const Channel& channel : channelsOf(*findLayer(name), hits))
+            picture.channels.push_back(channel);
+    return picture;
 }
 
 void expectSame(const FirstHitImage& a, const FirstHitImage& b) {
@@ -54,21 +62,41 @@ void expectSame(const FirstHitImage& a, const FirstHitImage& b) {
     EXPECT_EQ(std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(FirstHit)), 0);
 }
 
-TEST(ExrLayers, ComeBackBitForBit) {
+TEST(Layers, AreThoseOfTheTable) {
+    EXPECT_EQ(namesOf(allLayers()), "albedo, normal, depth, position, primitive, uv, error");
+    EXPECT_EQ(namesOf(layersOfFilms()), "error");
+    EXPECT_EQ(findLayer("position")->channels,
+              (std::vector<std::string>{"position.X", "position.Y", "position.Z"}));
+    EXPECT_EQ(findLayer("Position"), nullptr);
+    EXPECT_TRUE(hasSource(allLayers(), LayerSource::FirstHit));
+    EXPECT_FALSE(hasSource(layersOfFilms(), LayerSource::FirstHit));
+}
+
+TEST(Layers, OfErrorsAreTheirNumbers) {
+    const std::vector<PixelError> errors = {{1.0f, 2.0f}, {3.0f, 4.0f}};
+    const std::vector<Channel> channels = channelsOf(*findLayer("error"), errors);
+    ASSERT_EQ(channels.size(), 2u);
+    EXPECT_EQ(channels[0].name, "error.SE");
+    EXPECT_EQ(std::get<0>(channels[0].pixels), (std::vector<float>{1.0f, 3.0f}));
+    EXPECT_EQ(channels[1].name, "error.CI95");
+    EXPECT_EQ(std::get<0>(channels[1].pixels), (std::vector<float>{2.0f, 4.0f}));
+}
+
+TEST(Layers, ComeBackBitForBit) {
     const FirstHitImage hits = distinctHits(21, 34);
     const ScratchFolder folder;
-    writeExr(folder / "a.exr", greyPicture(21, 34), {}, {&hits, kAllLayers});
+    writeExr(folder / "a.exr", pictureWith(hits, kAllLayers));
     expectSame(readFirstHits(folder / "a.exr"), hits);
-    EXPECT_EQ(readExr(folder / "a.exr").pixels, greyPicture(21, 34).pixels);
+    EXPECT_EQ(readExr(folder / "a.exr").pixels, greyPicture(21, 34).color.pixels);
 }
 
 // A crop's data window does not begin at the film's origin.
-TEST(ExrLayers, OfACropComeBackToo) {
+TEST(Layers, OfACropComeBackToo) {
     const FirstHitImage hits = distinctHits(5, 4);
-    ExrMetadata metadata;
-    metadata.crop = CropPlacement{600, 470, 640, 480};
+    Picture picture = pictureWith(hits, kAllLayers);
+    picture.crop = CropPlacement{600, 470, 640, 480};
     const ScratchFolder folder;
-    writeExr(folder / "a.exr", greyPicture(5, 4), metadata, {&hits, kAllLayers});
+    writeExr(folder / "a.exr", picture);
     expectSame(readFirstHits(folder / "a.exr"), hits);
 }
 
@@ -87,17 +115,16 @@ std::vector<float> channelOf(const std::filesystem::path& path, const char* name
 }
 
 // OpenEXR's own rule for layers, which Blender and Nuke follow: the name before the last dot.
-TEST(ExrLayers, HaveTheNamesThatOthersRead) {
+TEST(Layers, HaveTheNamesThatOthersRead) {
     const FirstHitImage hits = distinctHits(3, 2);
     const ScratchFolder folder;
-    writeExr(folder / "a.exr", greyPicture(3, 2), {}, {&hits, kAllLayers});
+    writeExr(folder / "a.exr", pictureWith(hits, kAllLayers));
     {
         const Imf::InputFile file((folder / "a.exr").c_str());
         const Imf::ChannelList& channels = file.header().channels();
         std::set<std::string> layers;
         channels.layers(layers);
-        EXPECT_EQ(layers,
-                  std::set<std::string>(kFirstHitLayerNames.begin(), kFirstHitLayerNames.end()));
+        EXPECT_EQ(layers, std::set<std::string>(kAllLayers.begin(), kAllLayers.end()));
         size_t count = 0;
         for (auto channel = channels.begin(); channel != channels.end(); ++channel, ++count)
             EXPECT_EQ(channel.channel().type,
@@ -117,11 +144,10 @@ TEST(ExrLayers, HaveTheNamesThatOthersRead) {
     }
 }
 
-TEST(ExrLayers, AreThoseThatAreWanted) {
+TEST(Layers, AreThoseThatAreWanted) {
     const FirstHitImage hits = distinctHits(4, 3);
-    const std::vector<FirstHitLayer> wanted = {Primitive, Depth};
     const ScratchFolder folder;
-    writeExr(folder / "a.exr", greyPicture(4, 3), {}, {&hits, wanted});
+    writeExr(folder / "a.exr", pictureWith(hits, {"primitive", "depth"}));
     FirstHitImage expected(4, 3);
     for (size_t i = 0; i < hits.pixels.size(); ++i) {
         expected.pixels[i].primitive = hits.pixels[i].primitive;
@@ -130,18 +156,19 @@ TEST(ExrLayers, AreThoseThatAreWanted) {
     expectSame(readFirstHits(folder / "a.exr"), expected);
 }
 
-TEST(ExrLayers, AreNotReadFromWhatHasNone) {
+TEST(Layers, AreNotReadFromWhatHasNone) {
     const ScratchFolder folder;
     EXPECT_THROW(readFirstHits(folder / "missing.exr"), SceneError);
     writeBytes(folder / "text.exr", "no picture at all");
     EXPECT_THROW(readFirstHits(folder / "text.exr"), SceneError);
-    writeExr(folder / "plain.exr", greyPicture(4, 3), {});
+    writeExr(folder / "plain.exr", greyPicture(4, 3));
     EXPECT_THROW(readFirstHits(folder / "plain.exr"), SceneError);
 }
 
-TEST(ExrLayersDeathTest, OfAnotherSizeAreAMistake) {
-    const FirstHitImage hits = distinctHits(3, 4);
-    EXPECT_DEATH(writeExr("/dev/null", greyPicture(4, 3), {}, {&hits, kAllLayers}), "check failed");
+TEST(LayersDeathTest, OfAnotherSizeAreAMistake) {
+    Picture picture = pictureWith(distinctHits(3, 4), kAllLayers);
+    picture.color = Image(4, 4);
+    EXPECT_DEATH(writeExr("/dev/null", picture), "check failed");
 }
 
 } // namespace

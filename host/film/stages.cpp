@@ -1,0 +1,10 @@
+#include "film/stages.h"
+
+namespace calotype {
+
+std::span<const Stage> allStages() {
+    static const std::vector<Stage> table = {};
+    return table;
+}
+
+} // namespace calotype

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "image/image.h"
+
+namespace calotype {
+
+/// One number for each pixel of a picture, row by row from the top left one.
+struct Channel {
+    std::string name; ///< as in an EXR file: "albedo.R" is channel R of the layer "albedo"
+    std::variant<std::vector<float>, std::vector<uint32_t>> pixels;
+};
+
+/// A fact about a picture, such as the number of its samples.
+struct Attribute {
+    std::string name;
+    std::variant<std::string, int32_t, double> value;
+};
+
+/// Where a cropped picture lies in the whole one, in pixels from the top left corner.
+struct CropPlacement {
+    uint32_t x = 0;
+    uint32_t y = 0;
+    uint32_t filmWidth = 0; ///< of the whole picture
+    uint32_t filmHeight = 0;
+};
+
+/// All that a picture file can hold.
+struct Picture {
+    Image color;
+    std::vector<Channel> channels = {}; ///< beside the colour, each of its size
+    std::vector<Attribute> metadata = {};
+    std::optional<CropPlacement> crop = {}; ///< none: this is the whole picture
+};
+
+} // namespace calotype

@@ -1,0 +1,77 @@
+// The layers that a picture can have beside its colour.
+#ifndef CALOTYPE_SHARED_LAYERS_H
+#define CALOTYPE_SHARED_LAYERS_H
+
+#include "shared/types.h"
+
+#ifdef __cplusplus
+#include <cmath>
+#endif
+
+// One row for each layer, in the order of --help. The three kinds of rows differ in where their
+// values come from:
+//
+// FIRST_HIT(name, type, nothing, channels, help): from the first surface on the ray through the
+//     middle of the pixel. shaders/path/first_hit.glsl and host/reference set the field `name` of a
+//     FirstHit. `nothing` is its value in C++ where the pixel shows no surface.
+// AVERAGED(name, type, channels, help): the mean over the samples of the film. No layer is one yet.
+// REPLICAS(name, type, channels, help): from the spread of the film's replicas: PixelError.
+//
+// `type` is float, uint, vec2 or vec3. `channels` are the names of its components in an EXR file,
+// where they follow the name of the layer and a dot.
+#define CALOTYPE_LAYERS(FIRST_HIT, AVERAGED, REPLICAS)                                             \
+    FIRST_HIT(albedo, vec3, 0.0f, "R,G,B",                                                         \
+              "reflectance, linear Rec. 709: F0 of a metal, 1 of a dielectric, else the color")    \
+    FIRST_HIT(normal, vec3, 0.0f, "X,Y,Z",                                                         \
+              "unit shading normal in the world, on the side of the viewer")                       \
+    FIRST_HIT(depth, float, INFINITY, "Z", "distance along the axis of the camera, metres")        \
+    FIRST_HIT(position, vec3, 0.0f, "X,Y,Z", "point in the world, metres")                         \
+    FIRST_HIT(primitive, uint, 0xFFFFFFFFu, "ID", "number of the primitive, from 0")               \
+    FIRST_HIT(uv, vec2, 0.0f, "U,V", "texture coordinates, 0 where a mesh has none")               \
+    REPLICAS(error, vec2, "SE,CI95",                                                               \
+             "standard error of the luminance, and half of its 95 % interval, W/(m^2 sr)")
+
+/// The rows of one kind alone.
+#define CALOTYPE_NO_ROW(name, type, channels, help)
+#define CALOTYPE_FIRST_HIT_LAYERS(ROW) CALOTYPE_LAYERS(ROW, CALOTYPE_NO_ROW, CALOTYPE_NO_ROW)
+
+/// Components of a type, each of 32 bits.
+#define CALOTYPE_WORDS_OF_float 1u
+#define CALOTYPE_WORDS_OF_uint 1u
+#define CALOTYPE_WORDS_OF_vec2 2u
+#define CALOTYPE_WORDS_OF_vec3 3u
+
+CALOTYPE_BEGIN_SHARED
+
+#ifdef __cplusplus
+#define CALOTYPE_FIELD(name, type, nothing, channels, help) type name{nothing};
+#else
+#define CALOTYPE_FIELD(name, type, nothing, channels, help) type name;
+#endif
+
+/// The surface that a pixel shows: the first on the ray through the middle of the pixel and of the
+/// lens, whatever the film's filter. It passes through lights that are hidden from the camera, and
+/// through points whose alpha is below 1/2.
+struct FirstHit {
+    CALOTYPE_FIRST_HIT_LAYERS(CALOTYPE_FIELD)
+};
+#undef CALOTYPE_FIELD
+
+/// What the kernel of first hits returns for a pixel. A storage buffer holds its fields as
+/// kFirstHitWords words of 32 bits, one after the other, without padding.
+struct FirstHitRecord {
+    FirstHit hit; ///< its position is relative to the packed scene's origin
+    uint isCut;   ///< 1 where the ray could have passed through what it met, but for its limits
+};
+
+#define CALOTYPE_ADD_WORDS(name, type, nothing, channels, help) +CALOTYPE_WORDS_OF_##type
+CALOTYPE_CONSTANT uint kFirstHitWords = 1u CALOTYPE_FIRST_HIT_LAYERS(CALOTYPE_ADD_WORDS);
+#undef CALOTYPE_ADD_WORDS
+
+CALOTYPE_END_SHARED
+
+#ifdef __cplusplus
+static_assert(sizeof(calotype::shared::FirstHitRecord) == 4 * calotype::shared::kFirstHitWords);
+#endif
+
+#endif
