@@ -166,11 +166,11 @@ private:
     void addLight(uint32_t number, uint32_t name) {
         if ((name & shared::kQuadricBit) != 0) {
             const shared::Quadric& quadric = packed_.quadrics[name & ~shared::kQuadricBit];
-            enable(shared::kFeatureSphereLights + quadric.kind,
-                   lights_.add(materialOf(name), name, number, areaOf(quadric)));
+            lights_.add(shared::kLightSphere + quadric.kind, materialOf(name), name, number,
+                        areaOf(quadric));
         } else {
-            enable(shared::kFeatureTriangleLights,
-                   lights_.add(materialOf(name), name, number, areaOf(packed_.triangles[name])));
+            lights_.add(shared::kLightTriangle, materialOf(name), name, number,
+                        areaOf(packed_.triangles[name]));
         }
     }
 
@@ -184,16 +184,16 @@ private:
         });
     }
 
-    /// Tells each shining primitive its light.
+    /// Links each shining primitive, and rays that meet none, to their light.
     void packLights() {
         packed_.lights = lights_.take();
         packed_.maxRadiance = lights_.maxRadiance();
         packed_.lightCount = static_cast<uint32_t>(packed_.lights.size());
         for (uint32_t i = 0; i < packed_.lightCount; ++i) {
             const uint32_t name = packed_.lights[i].primitive;
-            if (name == shared::kBackground)
-                continue;
-            if ((name & shared::kQuadricBit) != 0)
+            if (packed_.lights[i].kind == shared::kLightBackground)
+                packed_.backgroundLight = i;
+            else if ((name & shared::kQuadricBit) != 0)
                 packed_.quadrics[name & ~shared::kQuadricBit].light = i;
             else
                 packed_.triangles[name].light = i;
@@ -310,8 +310,7 @@ GpuScene packScene(const Scene& scene, std::span<const Primitive> primitives, co
                    const glm::dvec3& origin, double aspectRatio, const CornerData& corners) {
     static_assert(shared::kFeatureDisks - shared::kFeatureSpheres ==
                   shared::kDisk - shared::kSphere);
-    static_assert(shared::kFeatureDiskLights - shared::kFeatureSphereLights ==
-                  shared::kDisk - shared::kSphere);
+    static_assert(shared::kLightDisk - shared::kLightSphere == shared::kDisk - shared::kSphere);
     CALOTYPE_CHECK_EQ(bvh.order.size(), primitives.size());
     return ScenePacker(scene, primitives, bvh, origin, corners).pack(aspectRatio);
 }

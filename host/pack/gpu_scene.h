@@ -22,9 +22,10 @@ struct GpuScene {
     std::vector<shared::Material> materials; ///< those that no primitive bears are left blank
     std::vector<shared::Texture> textures;
     std::vector<glm::uvec4> texelRows;
-    std::vector<shared::Light> lights; ///< the background last
+    std::vector<shared::Light> lights;
     std::vector<float> filterQuantiles;
-    uint32_t lightCount = 0; ///< `lights` holds one unused where this is 0
+    uint32_t lightCount = 0;                  ///< `lights` holds one unused where this is 0
+    uint32_t backgroundLight = shared::kNone; ///< index of the light that is the background
     size_t primitiveCount = 0;
     shared::Camera camera{};
     SceneFeatures features;

@@ -17,6 +17,15 @@ namespace {
 
 double maxComponent(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
+/// Of the kernel, for a light of that kind.
+uint32_t featureOf(uint32_t kind) {
+    constexpr uint32_t kFeatures[] = {shared::kFeatureTriangleLights, shared::kFeatureSphereLights,
+                                      shared::kFeatureCylinderLights, shared::kFeatureConeLights,
+                                      shared::kFeatureDiskLights,     shared::kFeatureBackground};
+    static_assert(std::size(kFeatures) == shared::kLightBackground + 1);
+    return kFeatures[kind];
+}
+
 } // namespace
 
 bool LightPacker::isLight(uint32_t materialIndex) const {
@@ -24,26 +33,28 @@ bool LightPacker::isLight(uint32_t materialIndex) const {
     return maxComponent(material.emission) > 0.0 || !material.visibleToCamera;
 }
 
-bool LightPacker::add(uint32_t materialIndex, uint32_t name, uint32_t number, double area) {
+void LightPacker::add(uint32_t kind, uint32_t materialIndex, uint32_t name, uint32_t number,
+                      double area) {
     const Material& material = scene_.materials[materialIndex];
     // A light that is off but hidden from the camera still has to be seen through.
     const bool shines = maxComponent(material.emission) > 0.0 && area > 0.0;
     if (!shines && material.visibleToCamera)
-        return false;
+        return;
     maxRadiance_ = std::max(maxRadiance_, maxComponent(material.emission));
     shared::Light light{};
     light.radiance = glm::vec3(material.emission);
+    light.kind = kind;
     light.primitive = name;
     light.area = static_cast<float>(area);
     light.flags = (material.emitsFromFrontOnly ? 0 : shared::kLightEmitsFromBack) |
                   (material.visibleToCamera ? 0 : shared::kLightHiddenFromCamera);
+    features_.enabled[featureOf(kind)] = true;
     if (!material.visibleToCamera)
         features_.enabled[shared::kFeatureHiddenLights] = true;
     if (isTransparent(material))
         features_.enabled[shared::kFeatureLightAlpha] = true;
     const double sides = material.emitsFromFrontOnly ? 1.0 : 2.0;
     lights_.push_back({light, number, luminance(material.emission) * area * sides});
-    return true;
 }
 
 /// The background sends its radiance through the sphere about the scene. It is chosen half of the
@@ -62,9 +73,10 @@ void LightPacker::addBackground() {
         others += light.power;
     shared::Light light{};
     light.radiance = glm::vec3(scene_.background);
-    light.primitive = shared::kBackground;
+    light.kind = shared::kLightBackground;
+    light.primitive = shared::kNone;
     lights_.push_back({light, 0, others > 0.0 ? std::min(power, others) : power});
-    features_.enabled[shared::kFeatureBackground] = true;
+    features_.enabled[featureOf(light.kind)] = true;
 }
 
 std::vector<shared::Light> LightPacker::take() {

@@ -13,19 +13,20 @@ namespace calotype {
 /// Collects a scene's lights, and how likely each is to be chosen: by its power.
 class LightPacker {
 public:
-    /// `scene` and `features`, which learns what the kernel must know of, must outlive this.
+    /// `scene` and `features`, to which what the lights need is added, must outlive this.
     LightPacker(const Scene& scene, SceneFeatures& features) : scene_(scene), features_(features) {}
 
     /// Whether primitives of the material may be lights.
     bool isLight(uint32_t materialIndex) const;
 
     /// Adds the primitive of that name (shared::Light::primitive) and number in the scene file if
-    /// its material makes it a light; true if so. `area` in m^2. Throws SceneError where its
-    /// radiance is beyond what single precision has room for.
-    bool add(uint32_t materialIndex, uint32_t name, uint32_t number, double area);
+    /// its material makes it a light. `kind` as in shared::Light, `area` in m^2. Throws SceneError
+    /// where its radiance is beyond what single precision has room for.
+    void add(uint32_t kind, uint32_t materialIndex, uint32_t name, uint32_t number, double area);
 
-    /// All lights in the order of the scene file, so that which one a random number picks does not
-    /// depend on the tree, with their alias table; the background last. Throws as `add`.
+    /// All lights with their alias table: those of primitives in the order of the scene file, so
+    /// that which one a random number picks does not depend on the tree, then the background.
+    /// Throws as `add`.
     std::vector<shared::Light> take();
 
     /// Largest emitted radiance of any channel, W/(m^2 sr).

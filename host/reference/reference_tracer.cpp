@@ -97,24 +97,25 @@ private:
 
     void addBackground() {
         if (const Light* light = tracer_.lights_.background())
-            addLight(throughput_ * light->radiance *
-                         bsdfShare(light->selectionProbability / (4.0 * kPi)),
-                     bounce_);
+            addFound(*light, {});
     }
 
     void addEmitted(const Surface& surface) {
-        const Light* light = tracer_.lights_.ofPrimitive(surface.primitive);
-        if (!light)
-            return;
-        const double pdf = tracer_.lights_.pdf(*light, vertex_, surface.position, surface.ng);
-        addLight(throughput_ * light->emitted(surface.ng, -ray_.direction) *
-                     bsdfShare(pdf * light->selectionProbability),
+        if (const Light* light = tracer_.lights_.ofPrimitive(surface.primitive))
+            addFound(*light, {surface.position, surface.ng});
+    }
+
+    /// Light that the ray met.
+    void addFound(const Light& light, const Light::Point& point) {
+        const double pdf = light.pdf(vertex_, ray_.direction, point);
+        addLight(throughput_ * light.radiance(ray_.direction, point) *
+                     bsdfShare(pdf * light.selectionProbability),
                  bounce_);
     }
 
     bool passesThrough(const Surface& surface) const {
         const Light* light = tracer_.lights_.ofPrimitive(surface.primitive);
-        if (bounce_ == 0 && light && light->isHiddenFromCamera)
+        if (bounce_ == 0 && light && light->isHiddenFromCamera())
             return true;
         const Material& material = tracer_.scene_.materials[surface.material];
         if (!isTransparent(material))
@@ -174,8 +175,8 @@ private:
         }
         glm::dvec3 sum(0.0);
         uint32_t number = 0;
-        for (const Light& light : tracer_.lights_.all())
-            sum += lightFrom(light, surface, bsdf, from,
+        for (const std::unique_ptr<Light>& light : tracer_.lights_.all())
+            sum += lightFrom(*light, surface, bsdf, from,
                              glm::dvec2(lightNumbers(id_, bounce_, number++)));
         return sum;
     }
@@ -185,31 +186,33 @@ private:
     glm::dvec3 lightFrom(const Light& light, const Surface& surface, const Bsdf& bsdf,
                          const Departure& from, const glm::dvec2& u) {
         glm::dvec3 outward = bsdf.ng();
-        LightSample point = tracer_.lights_.sample(light, from.viewerSide, u);
-        Ray ray = rayTowards(light, point, from.viewerSide);
+        Light::Sample sample = light.sample(from.viewerSide, u);
+        Ray ray = rayTowards(light, sample, from.viewerSide);
         if (bsdf.transmits() && glm::dot(ray.direction, outward) < 0.0) {
             outward = -outward;
-            point = tracer_.lights_.sample(light, from.farSide, u);
-            ray = rayTowards(light, point, from.farSide);
+            sample = light.sample(from.farSide, u);
+            ray = rayTowards(light, sample, from.farSide);
         }
-        if (light.primitive == surface.primitive && isConvexTowards(surface, outward))
+        if (light.primitive() == surface.primitive && isConvexTowards(surface, outward))
             return glm::dvec3(0.0);
-        if (point.pdf <= 0.0)
+        if (sample.pdf <= 0.0)
             return glm::dvec3(0.0);
         if (ray.length == 0.0) // where a light touches the surface there is nothing between
             return glm::dvec3(0.0);
         const Bsdf::Value scattered = bsdf.evaluate(ray.direction);
-        const glm::dvec3 radiance = scattered.value * arrivingRadiance(light, point, ray);
+        const glm::dvec3 radiance = scattered.value * arrivingRadiance(light, sample.point, ray);
         if (greatest(radiance) <= 0.0)
             return glm::dvec3(0.0);
-        const double pdf = point.pdf * light.selectionProbability;
+        const double pdf = sample.pdf * light.selectionProbability;
         const double share = tracer_.transport_.usesMis ? powerHeuristic(pdf, scattered.pdf) : 1.0;
         return radiance * (transmittance(ray, light) * share / pdf);
     }
 
-    static Ray rayTowards(const Light& light, const LightSample& point, const glm::dvec3& origin) {
-        if (!light.primitive)
-            return {origin, point.position};
+    static Ray rayTowards(const Light& light, const Light::Sample& sample,
+                          const glm::dvec3& origin) {
+        if (!light.primitive())
+            return {origin, sample.wi};
+        const Light::Point& point = sample.point;
         const double side = glm::dot(origin - point.position, point.normal) < 0.0 ? -1.0 : 1.0;
         const glm::dvec3 way = offsetFrom(point.position, side * point.normal) - origin;
         const double length = glm::length(way);
@@ -217,15 +220,15 @@ private:
     }
 
     /// What the light sends back along the ray, with its own cut-outs.
-    glm::dvec3 arrivingRadiance(const Light& light, const LightSample& point,
+    glm::dvec3 arrivingRadiance(const Light& light, const Light::Point& point,
                                 const Ray& ray) const {
-        if (!light.primitive)
-            return light.radiance;
-        const Material& material = tracer_.materialOf(*light.primitive);
-        const glm::dvec3 radiance = light.emitted(point.normal, -ray.direction);
+        const glm::dvec3 radiance = light.radiance(ray.direction, point);
+        if (!light.primitive())
+            return radiance;
+        const Material& material = tracer_.materialOf(*light.primitive());
         if (!isTransparent(material))
             return radiance;
-        const glm::dvec2 uv = tracer_.geometry_.uvAt(*light.primitive, point.position);
+        const glm::dvec2 uv = tracer_.geometry_.uvAt(*light.primitive(), point.position);
         return radiance * alphaAt(material, tracer_.scene_.textures, uv);
     }
 
@@ -240,10 +243,10 @@ private:
             if (!hit)
                 break;
             const Surface surface = tracer_.geometry_.surface(*hit, ray);
-            if (surface.primitive != light.primitive)
+            if (surface.primitive != light.primitive())
                 share *= 1.0 - opacityAt(surface);
             ray.origin = leave(surface, ray.direction);
-            if (light.primitive)
+            if (light.primitive())
                 ray.length = glm::dot(end - ray.origin, ray.direction);
         }
         return share;
@@ -286,7 +289,7 @@ FirstHit ReferenceTracer::firstHitAt(const glm::dvec2& filmPosition) const {
         const Surface surface = geometry_.surface(*hit, ray);
         const Light* light = lights_.ofPrimitive(surface.primitive);
         const Material& material = scene_.materials[surface.material];
-        const bool isSeen = !(light && light->isHiddenFromCamera) &&
+        const bool isSeen = !(light && light->isHiddenFromCamera()) &&
                             alphaAt(material, scene_.textures, surface.uv) >= 0.5;
         if (!isSeen) {
             ray.origin = leave(surface, ray.direction);

@@ -14,6 +14,11 @@
 #include "core/frame.glsl"
 #include "core/select.glsl"
 
+/// Some lobe transmits and has a density, so that light samples from the far side count: none yet.
+const bool hasTransmission = false;
+/// Some lobe transmits, with a density or without.
+const bool hasCrossing = hasDielectrics || hasTransmission;
+
 /// The part of [0, 1) in which the random number that chooses a lobe chooses this one.
 struct LobeShare {
     float start;

@@ -15,11 +15,11 @@ struct Refraction {
     float cosThetaT;   ///< of the refracted direction; 0 under total internal reflection
 };
 
-/// Snell's law and the exact Fresnel equations for a dielectric; `w` is a unit direction in the
-/// boundary's frame. `eta` is the index of refraction beyond the boundary over that on the side of
-/// w. cos^2 of the refracted angle is 1 - sin^2 / eta^2, which is off by no more than sin^2 of that
-/// angle is, a few roundings. About eta = 1 that is too much where the light grazes: there it is
-/// (eta^2 - 1 + cos^2) / eta^2, which cancels for small eta in its turn.
+/// Snell's law and the exact Fresnel equations (docs/models.md, "Fresnel, exact"); `w` is a unit
+/// direction in the boundary's frame. `eta` is the index of refraction beyond the boundary over
+/// that on the side of w. cos^2 of the refracted angle is 1 - sin^2 / eta^2, which is off by no
+/// more than sin^2 of that angle is, a few roundings. About eta = 1 that is too much where the
+/// light grazes: there it is (eta^2 - 1 + cos^2) / eta^2, which cancels for small eta in its turn.
 Refraction refractDielectric(vec3 w, float eta) {
     float cosThetaI = w.z;
     float eta2 = eta * eta;

@@ -22,9 +22,9 @@
 // which the lobe does not scatter. A sampled direction may lie on such a side; it then counts as
 // no light.
 //
-// To add a lobe: write its file, and give it a bit in shared/scene_structs.h, a feature, a member
-// of Bsdf and a line in each function of bsdf/bsdf.glsl that lists the lobes. A lobe that has a
-// density and transmits also has to be named in hasTransmission (config/features.glsl).
+// To add a lobe: write its file; give it a bit in shared/scene_structs.h and a feature; in
+// bsdf/bsdf.glsl give it a member of Bsdf and a line in each function that lists the lobes, and
+// name it in hasTransmission if it transmits and has a density.
 #ifndef CALOTYPE_BSDF_LOBE_GLSL
 #define CALOTYPE_BSDF_LOBE_GLSL
 

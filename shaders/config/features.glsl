@@ -39,13 +39,10 @@ layout(constant_id = kFeatureOrthographic) const bool hasOrthographic = true;
 const bool hasQuadrics = hasSpheres || hasCylinders || hasCones || hasDisks;
 const bool hasFewQuadrics = hasTriangles && hasQuadrics && !hasManyQuadrics;
 const bool hasShadingNormals = hasSmoothNormals || hasNormalMaps;
-const bool hasQuadricLights =
-    hasSphereLights || hasCylinderLights || hasConeLights || hasDiskLights;
-/// Some lobe transmits and has a density, so that light samples from the far side count: none yet.
-const bool hasTransmission = false;
-/// Some lobe transmits, with a density or without.
-const bool hasCrossing = hasDielectrics || hasTransmission;
-const bool hasLights = hasTriangleLights || hasQuadricLights || hasBackground;
+const bool hasOtherQuadricLights = hasCylinderLights || hasConeLights || hasDiskLights;
+const bool hasQuadricLights = hasSphereLights || hasOtherQuadricLights;
+const bool hasAreaLights = hasTriangleLights || hasQuadricLights;
+const bool hasLights = hasAreaLights || hasBackground;
 const bool hasTextures =
     hasColorTextures || hasRoughnessTextures || hasSpecularTextures || hasNormalMaps || hasAlpha;
 

@@ -22,7 +22,7 @@ void main() {
     uvec2 pixel = pixelInTile(cornerOfTile(tile, parameters.imageSize), gl_LocalInvocationIndex);
     bool goesOn = all(lessThan(pixel, parameters.imageSize));
     Path path = startPath(SampleId(pixel, 0u, parameters.seed), camera, parameters.imageSize);
-    PathLimits limits = PathLimits(parameters.bounces + 1u, parameters.lightCount, kFar);
+    PathLimits limits = PathLimits(parameters.bounces + 1u, parameters.lightCount, kFar, kNone);
     uint iterations = 0u;
     while (goesOn && !isWanted(path) && iterations < parameters.iterationBudget) {
         Hit hit = traverse(path.ray, path.isShadowed, path.target, iterations);

@@ -19,8 +19,8 @@ layout(constant_id = kConstantEventEighths) const uint kEventEighths = 6u;
 bool isThrough(PixelTask task) { return task.hasPath && !task.hasRay; }
 
 void main() {
-    PathLimits limits =
-        PathLimits(parameters.maxBounces, parameters.lightCount, parameters.indirectClamp);
+    PathLimits limits = PathLimits(parameters.maxBounces, parameters.lightCount,
+                                   parameters.indirectClamp, parameters.backgroundLight);
     TileWork work = resumeTile(tiles[parameters.firstTile + gl_WorkGroupID.x]);
     PixelTask current = resumeTask(work, 0u);
     PixelTask waiting = resumeTask(work, 1u);

@@ -1,4 +1,5 @@
-// The closed list of lights: any primitive may be one, and so may the background.
+// The closed list of lights, chosen by Light.kind: any primitive may be one, and so may the
+// background. The contract of a kind is in lights/light_sample.glsl.
 #ifndef CALOTYPE_LIGHTS_LIGHT_GLSL
 #define CALOTYPE_LIGHTS_LIGHT_GLSL
 
@@ -6,7 +7,7 @@
 #include "config/features.glsl"
 #include "core/constants.glsl"
 #include "core/random.glsl"
-#include "lights/background.glsl"
+#include "lights/background_light.glsl"
 #include "lights/quadric_light.glsl"
 #include "lights/sphere_light.glsl"
 #include "lights/triangle_light.glsl"
@@ -33,48 +34,67 @@ LightChoice chooseLight(uint lightCount, vec2 u) {
     return LightChoice(isOwn ? column : light.alias, min(inRun / float(run), kOneMinusEpsilon));
 }
 
-bool isQuadricLight(Light light) {
-    return hasQuadricLights && (!hasTriangleLights || (light.primitive & kQuadricBit) != 0u);
-}
-
 /// Whether a primitive's light, or kNone, is one that camera rays pass through.
 bool isHiddenFromCamera(uint light) {
     return hasHiddenLights && light != kNone &&
            (loadLight(light).flags & kLightHiddenFromCamera) != 0u;
 }
 
-bool isBackground(Light light) { return hasBackground && light.primitive == kBackground; }
+// Where the kernel has lights of one sort only, it does not look at the kind.
 
-bool isSphereLight(Quadric quadric) { return hasSphereLights && quadric.kind == kSphere; }
-
-/// A point on the light for lighting `reference`; of any light but the background.
-SurfaceSample sampleLight(Light light, vec3 reference, vec2 u) {
-    if (isQuadricLight(light)) {
-        Quadric quadric = loadQuadric(light.primitive & ~kQuadricBit);
-        if (isSphereLight(quadric))
-            return sampleSphereLight(quadric, light.area, reference, u);
-        return sampleQuadricLight(quadric, light.area, reference, u);
-    }
-    return sampleTriangleLight(loadTriangle(light.primitive), light.area, reference, u);
+/// A light that is infinitely far away.
+bool isInfiniteLight(Light light) {
+    return hasBackground && (!hasAreaLights || light.kind == kLightBackground);
 }
 
-/// Density per solid angle with which sampleLight chooses a point that is seen from `reference`: 0
-/// on the far side of a closed light, which only a ray through the alpha of its near side meets.
-float lightPdf(Light light, vec3 reference, vec3 position, vec3 normal) {
-    if (isQuadricLight(light)) {
-        Quadric quadric = loadQuadric(light.primitive & ~kQuadricBit);
-        if (hasAlpha && isOnFarSide(quadric, reference, position, normal))
+/// For a light that is not infinite.
+bool isTriangleLight(Light light) {
+    return hasTriangleLights && (!hasQuadricLights || light.kind == kLightTriangle);
+}
+
+/// For a light that is neither infinite nor a triangle.
+bool isSphereLight(Light light) {
+    return hasSphereLights && (!hasOtherQuadricLights || light.kind == kLightSphere);
+}
+
+Quadric quadricOf(Light light) { return loadQuadric(light.primitive & ~kQuadricBit); }
+
+/// A point on the light for lighting `reference`.
+LightSample sampleLight(Light light, vec3 reference, vec2 u) {
+    if (isInfiniteLight(light))
+        return sampleBackgroundLight(u);
+    if (isTriangleLight(light))
+        return sampleTriangleLight(loadTriangle(light.primitive), light.area, reference, u);
+    Quadric quadric = quadricOf(light);
+    if (isSphereLight(light))
+        return sampleSphereLight(quadric, light.area, reference, u);
+    return sampleQuadricLight(light.kind, quadric, light.area, reference, u);
+}
+
+/// Density per solid angle with which sampleLight chooses a point that is seen from `reference`, of
+/// a light that is not infinite: 0 on the far side of a closed light, which only a ray through the
+/// alpha of its near side meets.
+float areaLightPdf(Light light, vec3 reference, LightPoint point) {
+    if (hasQuadricLights && !isTriangleLight(light)) {
+        Quadric quadric = quadricOf(light);
+        if (hasAlpha && isOnFarSide(quadric, reference, point.position, point.normal))
             return 0.0;
-        if (isSphereLight(quadric))
-            return sphereLightPdf(quadric, light.area, reference, position, normal);
+        if (isSphereLight(light))
+            return sphereLightPdf(quadric, light.area, reference, point);
     }
-    return solidAnglePdf(light.area, reference, position, normal);
+    return solidAnglePdf(light.area, reference, point.position, point.normal);
 }
 
-/// Radiance that leaves the light at a point with front `normal` in direction `w`.
-vec3 emittedRadiance(Light light, vec3 normal, vec3 w) {
-    bool emits = dot(normal, w) > 0.0 || (light.flags & kLightEmitsFromBack) != 0u;
-    return emits ? light.radiance : vec3(0.0);
+/// Density per solid angle with which sampleLight chooses a direction, of an infinite light.
+float infiniteLightPdf(Light light, vec3 wi) { return backgroundLightPdf(wi); }
+
+/// Radiance that arrives from a direction of an infinite light.
+vec3 infiniteLightRadiance(Light light, vec3 wi) { return backgroundLightRadiance(light, wi); }
+
+/// Radiance that arrives from a point of the light, of any kind.
+vec3 lightRadiance(Light light, LightPoint point) {
+    return isInfiniteLight(light) ? infiniteLightRadiance(light, point.wi)
+                                  : areaLightRadiance(light, point);
 }
 
 #endif

@@ -1,40 +1,15 @@
-// Uniform points on disks and on the closed surfaces of cylinders and cones. A closed convex
-// surface shows a point outside only what faces it, and a point inside everything.
+// Disks, cylinders and cones shine from uniform points on their area (docs/models.md, "Quadric
+// lights"). A closed convex surface shows a point outside only what faces it, and a point inside
+// everything.
 #ifndef CALOTYPE_LIGHTS_QUADRIC_LIGHT_GLSL
 #define CALOTYPE_LIGHTS_QUADRIC_LIGHT_GLSL
 
-#include "core/warp.glsl"
-#include "lights/surface_sample.glsl"
+#include "lights/area_light.glsl"
+#include "lights/cone_light.glsl"
+#include "lights/cylinder_light.glsl"
+#include "lights/disk_light.glsl"
 #include "shapes/quadric.glsl"
 #include "shapes/surface_coordinates.glsl"
-
-/// Uniform on the side and both caps, each chosen by its area.
-vec3 sampleCylinder(float radius, float height, vec2 u) {
-    float capShare = 0.5 * radius / (height + radius);
-    bool lower = u.x < capShare;
-    if (lower || u.x >= 1.0 - capShare) {
-        float rest = (lower ? u.x : 1.0 - u.x) / capShare;
-        vec2 p = radius * warpToDisk(vec2(min(rest, 1.0), u.y));
-        return vec3(p.x, lower ? -0.5 * height : 0.5 * height, p.y);
-    }
-    float rest = (u.x - capShare) / (1.0 - 2.0 * capShare);
-    vec2 sinCos = sinCosTwoPi(u.y);
-    return vec3(radius * sinCos.y, (rest - 0.5) * height, radius * sinCos.x);
-}
-
-/// Uniform on the side and the base, each chosen by its area; on the side the distance from the
-/// apex goes as the square root, since circumference grows with it.
-vec3 sampleCone(float radius, float height, vec2 u) {
-    float slant = sqrt(radius * radius + height * height);
-    float baseShare = radius / (radius + slant);
-    if (u.x < baseShare) {
-        vec2 p = radius * warpToDisk(vec2(u.x / baseShare, u.y));
-        return vec3(p.x, height, p.y);
-    }
-    float fromApex = sqrt((u.x - baseShare) / (1.0 - baseShare));
-    vec2 sinCos = sinCosTwoPi(u.y);
-    return fromApex * vec3(radius * sinCos.y, height, radius * sinCos.x);
-}
 
 /// True where p, in the quadric's frame, lies inside a sphere, cylinder or cone.
 bool isInsideQuadric(Quadric quadric, vec3 p) {
@@ -53,21 +28,21 @@ bool isOnFarSide(Quadric quadric, vec3 reference, vec3 position, vec3 normal) {
            !isInsideQuadric(quadric, (reference - quadric.center) * worldFromQuadric(quadric));
 }
 
-SurfaceSample sampleQuadricLight(Quadric quadric, float area, vec3 reference, vec2 u) {
-    vec3 local = vec3(0.0);
-    if (hasCylinderLights && quadric.kind == kCylinder) {
+/// `kind` is the light's: a cylinder, a cone or a disk.
+LightSample sampleQuadricLight(uint kind, Quadric quadric, float area, vec3 reference, vec2 u) {
+    vec3 local;
+    if (hasCylinderLights && kind == kLightCylinder)
         local = sampleCylinder(quadric.radius, quadric.extent, u);
-    } else if (hasConeLights && quadric.kind == kCone) {
+    else if (hasConeLights && kind == kLightCone)
         local = sampleCone(quadric.radius, quadric.extent, u);
-    } else {
-        local.xz = quadric.radius * warpToDisk(u);
-    }
-    QuadricPoint point = quadricPoint(quadric, local);
-    bool hidden = isOnFarSide(quadric, reference, point.position, point.normal);
-    float pdf = hidden ? 0.0 : solidAnglePdf(area, reference, point.position, point.normal);
+    else
+        local = sampleDisk(quadric.radius, u);
+    QuadricPoint surface = quadricPoint(quadric, local);
     vec2 uv = hasAlpha ? quadricCoordinates(quadric, local).uv : vec2(0.0);
-    vec3 wi = normalize(point.position - reference);
-    return SurfaceSample(point.position, point.error, point.normal, wi, pdf, uv);
+    vec3 wi = normalize(surface.position - reference);
+    bool isHidden = isOnFarSide(quadric, reference, surface.position, surface.normal);
+    float pdf = isHidden ? 0.0 : solidAnglePdf(area, reference, surface.position, surface.normal);
+    return LightSample(LightPoint(wi, surface.position, surface.error, surface.normal, uv), pdf);
 }
 
 #endif

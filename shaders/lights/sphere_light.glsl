@@ -1,12 +1,11 @@
-// A sphere lights a point outside from the cone of directions in which it is seen: uniform
-// directions in that cone (Shirley, Wang and Zimmerman 1996; PBR, 4th edition, section 6.2.4). A
-// point inside is lit by uniform points on the whole surface.
+// Outside, uniform directions in the cone in which the sphere is seen; inside, uniform points on
+// the whole surface (docs/models.md, "Sphere light").
 #ifndef CALOTYPE_LIGHTS_SPHERE_LIGHT_GLSL
 #define CALOTYPE_LIGHTS_SPHERE_LIGHT_GLSL
 
 #include "core/frame.glsl"
 #include "core/trigonometry.glsl"
-#include "lights/surface_sample.glsl"
+#include "lights/area_light.glsl"
 #include "shapes/quadric.glsl"
 #include "shapes/surface_coordinates.glsl"
 
@@ -21,18 +20,17 @@ float sphereSin2(Quadric sphere, vec3 reference) {
     return sphere.radius * sphere.radius / dot(toReference, toReference);
 }
 
-/// Per solid angle, of a direction that meets the sphere at `position`.
-float sphereLightPdf(Quadric sphere, float area, vec3 reference, vec3 position, vec3 normal) {
+float sphereLightPdf(Quadric sphere, float area, vec3 reference, LightPoint point) {
     float sin2ThetaMax = sphereSin2(sphere, reference);
     return sin2ThetaMax < 1.0 ? 1.0 / (kTwoPi * oneMinusConeCosine(sin2ThetaMax))
-                              : solidAnglePdf(area, reference, position, normal);
+                              : solidAnglePdf(area, reference, point.position, point.normal);
 }
 
 /// The direction from the centre to a point seen under the angle theta off the axis makes the angle
 /// beta - theta with the axis to the reference, where sin beta = sin theta / sin thetaMax by the
 /// law of sines. The direction to the point is the cone's, not a difference of positions: a
 /// reference on the sphere itself is then lit by nothing, since all of the cone lies below it.
-SurfaceSample sampleSphereLight(Quadric sphere, float area, vec3 reference, vec2 u) {
+LightSample sampleSphereLight(Quadric sphere, float area, vec3 reference, vec2 u) {
     vec3 toReference = reference - sphere.center;
     float sin2ThetaMax = sphereSin2(sphere, reference);
     bool outside = sin2ThetaMax < 1.0;
@@ -56,12 +54,12 @@ SurfaceSample sampleSphereLight(Quadric sphere, float area, vec3 reference, vec2
     mat3 worldFromCone = worldFromLocal(axis);
     vec3 direction = worldFromCone * vec3(sinAlpha * phi.y, sinAlpha * phi.x, cosAlpha);
     vec3 local = direction * worldFromQuadric(sphere);
-    QuadricPoint point = quadricPoint(sphere, local);
+    QuadricPoint surface = quadricPoint(sphere, local);
     vec3 alongCone = worldFromCone * vec3(sinTheta * phi.y, sinTheta * phi.x, oneMinusCos - 1.0);
-    vec3 wi = outside ? alongCone : normalize(point.position - reference);
-    float pdf = sphereLightPdf(sphere, area, reference, point.position, point.normal);
+    vec3 wi = outside ? alongCone : normalize(surface.position - reference);
     vec2 uv = hasAlpha ? sphereCoordinates(local).uv : vec2(0.0);
-    return SurfaceSample(point.position, point.error, point.normal, wi, pdf, uv);
+    LightPoint point = LightPoint(wi, surface.position, surface.error, surface.normal, uv);
+    return LightSample(point, sphereLightPdf(sphere, area, reference, point));
 }
 
 #endif

@@ -8,38 +8,32 @@
 #include "path/mis.glsl"
 #include "path/visibility.glsl"
 
-struct LightSample {
-    Ray ray;       ///< towards the light, ending at it
-    vec3 wi;       ///< unit direction of the light
-    vec3 radiance; ///< along the ray
-    float pdf;     ///< per solid angle; 0 where the point cannot be seen
-};
-
 /// The share of its light that an emitter with a hole in it sends out.
 float emitterAlpha(Light light, vec2 coordinates) {
-    bool isQuadric = isQuadricLight(light);
-    uint materialIndex = isQuadric ? loadQuadric(light.primitive & ~kQuadricBit).material
-                                   : loadTriangle(light.primitive).material;
-    vec2 uv = isQuadric ? coordinates : triangleUv(loadTriangleUvs(light.primitive), coordinates);
+    bool isTriangle = isTriangleLight(light);
+    uint materialIndex =
+        isTriangle ? loadTriangle(light.primitive).material : quadricOf(light).material;
+    vec2 uv = isTriangle ? triangleUv(loadTriangleUvs(light.primitive), coordinates) : coordinates;
     bool transparent = (materialIndex & kTransparentBit) != 0u;
     return transparent ? alphaAt(loadMaterial(materialIndex & ~kTransparentBit), uv) : 1.0;
 }
 
-/// From `origin`, which lies off the surface on one of its sides.
-LightSample sampleDirectLight(Light light, vec3 origin, vec2 u) {
-    if (isBackground(light)) {
-        vec3 wi = sampleBackground(u);
-        return LightSample(Ray(origin, kFar, wi), wi, light.radiance, kBackgroundPdf);
-    }
-    SurfaceSample point = sampleLight(light, origin, u);
+/// From `origin` to a point of the light.
+Ray rayToLight(Light light, LightPoint point, vec3 origin) {
+    if (isInfiniteLight(light))
+        return Ray(origin, kFar, point.wi);
     vec3 facing = dot(point.wi, point.normal) > 0.0 ? -point.normal : point.normal;
     vec3 target = offsetFromSurface(point.position, point.error, facing);
     float distanceToTarget = length(target - origin);
-    vec3 radiance = emittedRadiance(light, point.normal, -point.wi);
-    if (hasLightAlpha)
+    return Ray(origin, distanceToTarget, (target - origin) / distanceToTarget);
+}
+
+/// What arrives from a point of the light, less what its own holes let through.
+vec3 arrivingRadiance(Light light, LightPoint point) {
+    vec3 radiance = lightRadiance(light, point);
+    if (hasLightAlpha && !isInfiniteLight(light))
         radiance *= emitterAlpha(light, point.coordinates);
-    Ray ray = Ray(origin, distanceToTarget, (target - origin) / distanceToTarget);
-    return LightSample(ray, point.wi, radiance, point.pdf);
+    return radiance;
 }
 
 /// Light on its way from one point on one emitter.
@@ -68,16 +62,20 @@ DirectLight directLight(Bsdf bsdf, Departure from, vec4 u, uint lightCount) {
     LightChoice choice = chooseLight(lightCount, u.xz);
     Light light = loadLight(choice.light);
     vec2 uLight = vec2(choice.u, u.y);
-    LightSample arriving = sampleDirectLight(light, from.viewerSide, uLight);
-    if (hasTransmission && dot(arriving.wi, bsdf.ng) < 0.0)
-        arriving = sampleDirectLight(light, from.farSide, uLight);
-    BsdfValue scattered = evaluateBsdf(bsdf, arriving.wi);
-    vec3 radiance = scattered.value * arriving.radiance;
-    float pdf = arriving.pdf * light.selectionProbability;
+    vec3 origin = from.viewerSide;
+    LightSample chosen = sampleLight(light, origin, uLight);
+    if (hasTransmission && dot(chosen.point.wi, bsdf.ng) < 0.0) {
+        origin = from.farSide;
+        chosen = sampleLight(light, origin, uLight);
+    }
+    BsdfValue scattered = evaluateBsdf(bsdf, chosen.point.wi);
+    vec3 radiance = scattered.value * arrivingRadiance(light, chosen.point);
+    float pdf = chosen.pdf * light.selectionProbability;
     bool isLit = pdf > 0.0 && greatest(radiance) > 0.0;
     float share = usesMis ? misWeight(pdf, scattered.pdf) : 1.0;
     float weight = isLit ? share / pdf : 0.0;
-    return DirectLight(arriving.ray, light.primitive, isLit ? radiance * weight : vec3(0.0));
+    return DirectLight(rayToLight(light, chosen.point, origin), light.primitive,
+                       isLit ? radiance * weight : vec3(0.0));
 }
 
 #endif

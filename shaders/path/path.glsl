@@ -29,7 +29,8 @@ struct Path {
 struct PathLimits {
     uint maxBounces;
     uint lightCount;
-    float indirectClamp; ///< as in RenderParameters
+    float indirectClamp;  ///< as in RenderParameters
+    uint backgroundLight; ///< likewise
 };
 
 Path startPath(SampleId id, Camera camera, uvec2 imageSize) {
@@ -70,19 +71,18 @@ void playRoulette(inout Path path, float u) {
     path.throughput = u >= survival ? vec3(0.0) : path.throughput / survival;
 }
 
-/// Light that comes from beyond all surfaces; the background, if there is one, is the last light.
-vec3 backgroundLight(Path path, uint lightCount) {
-    Light light = loadLight(max(lightCount, 1u) - 1u);
-    vec3 radiance = isBackground(light) ? light.radiance : vec3(0.0);
-    return radiance * bsdfWeight(path, kBackgroundPdf * light.selectionProbability);
+/// Light that comes from infinitely far away.
+vec3 infiniteLight(Path path, Light light) {
+    float pdf = infiniteLightPdf(light, path.ray.direction) * light.selectionProbability;
+    return infiniteLightRadiance(light, path.ray.direction) * bsdfWeight(path, pdf);
 }
 
 /// Light that the surface emits towards the ray's origin.
 vec3 emittedLight(Path path, Interaction surface, Light light) {
     vec3 reference = hasAlpha ? path.vertex : path.ray.origin;
-    float pdf = lightPdf(light, reference, surface.position, surface.ng);
-    return emittedRadiance(light, surface.ng, -path.ray.direction) *
-           bsdfWeight(path, pdf * light.selectionProbability);
+    LightPoint point = lightPoint(path.ray.direction, surface.position, surface.ng);
+    float pdf = areaLightPdf(light, reference, point);
+    return areaLightRadiance(light, point) * bsdfWeight(path, pdf * light.selectionProbability);
 }
 
 /// True where the path goes on as if the surface, which `alpha` of all light meets, were not there.
@@ -159,8 +159,10 @@ bool extendPath(inout Path path, Hit hit, PathLimits limits) {
     if (hasLights && path.isShadowed && !(hasAlpha && hit.isTransparent))
         return reachLight(path, hit, limits);
     if (hit.primitive == kNone) {
-        if (hasBackground)
-            addRadiance(path, path.throughput * backgroundLight(path, limits.lightCount), limits);
+        if (hasBackground && limits.backgroundLight != kNone)
+            addRadiance(path,
+                        path.throughput * infiniteLight(path, loadLight(limits.backgroundLight)),
+                        limits);
         return false;
     }
     Interaction surface = interactionAt(hit, path.ray);

@@ -20,6 +20,8 @@ struct RenderParameters {
     uint lightCount;
     uint iterationBudget; ///< loop iterations after which a subgroup puts its paths down
     float indirectClamp;  ///< most of one contribution of light scattered twice or more, W/(m^2 sr)
+    uint backgroundLight; ///< the light that rays find which meet no surface, or kNone
+    uint pad0;
 };
 
 /// Sums over one dispatch, added to atomically, once per subgroup.
@@ -68,7 +70,7 @@ CALOTYPE_END_SHARED
 
 #ifdef __cplusplus
 namespace calotype::shared {
-static_assert(sizeof(RenderParameters) == 56);
+static_assert(sizeof(RenderParameters) == 64);
 static_assert(sizeof(RenderCounters) == 32);
 static_assert(sizeof(ParkedPath) == 112);
 static_assert(sizeof(FirstHitParameters) == 32);

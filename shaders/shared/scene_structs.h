@@ -146,25 +146,31 @@ struct Texture {
     uint pad1;
 };
 
-/// A light's `primitive` where it is the background: all directions, far away. It is the last
-/// light.
-CALOTYPE_CONSTANT uint kBackground = 0xFFFFFFFFu;
+// A light's `kind`. Those of quadrics are in the order of Quadric::kind.
+CALOTYPE_CONSTANT uint kLightTriangle = 0;
+CALOTYPE_CONSTANT uint kLightSphere = 1;
+CALOTYPE_CONSTANT uint kLightCylinder = 2;
+CALOTYPE_CONSTANT uint kLightCone = 3;
+CALOTYPE_CONSTANT uint kLightDisk = 4;
+CALOTYPE_CONSTANT uint kLightBackground = 5; ///< all directions, infinitely far away
 
+// A light's `flags`.
 CALOTYPE_CONSTANT uint kLightEmitsFromBack = 1u;
 CALOTYPE_CONSTANT uint kLightHiddenFromCamera = 2u;
 
-/// An emitting primitive, and its column of the alias table by which lights are chosen.
+/// An emitting primitive or the background, and its column of the alias table by which lights are
+/// chosen.
 struct Light {
     vec3 radiance;
-    uint primitive;
-    float area;                 ///< m^2
+    uint primitive;             ///< kNone of a light that is infinitely far away
+    float area;                 ///< m^2; 0 of a light that is infinitely far away
     float selectionProbability; ///< probability with which this light is chosen
     uint firstNumber;  ///< of the random numbers that fall into the column, in units of 2^-24
     uint ownNumbers;   ///< those from there on that choose this light
     uint aliasNumbers; ///< those after them, which choose the light `alias`
     uint alias;
     uint flags;
-    uint pad0;
+    uint kind;
 };
 
 /// Perspective: `right` and `up` reach from the centre of the image plane, one unit along

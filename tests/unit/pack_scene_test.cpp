@@ -114,15 +114,18 @@ TEST(PackScene, LeavesOutMaterialsThatNothingBears) {
 }
 
 // Half of the light samples at most go to the background, which rays that leave find anyway.
-TEST(PackScene, BackgroundIsTheLastLight) {
+TEST(PackScene, BackgroundIsALightOfItsOwnKind) {
     Scene scene = sceneOf({shapeOf(Sphere{}, 1), shapeOf(Disk{{}, 1e4})});
     scene.materials = materials();
     scene.background = glm::dvec3(0.5, 16.0, 1.0);
     const GpuScene packed = packAsProgram(scene).packed;
     ASSERT_EQ(packed.lightCount, 2u);
-    EXPECT_EQ(packed.lights[1].primitive, shared::kBackground);
-    EXPECT_EQ(packed.lights[1].radiance, glm::vec3(0.5f, 16.0f, 1.0f));
-    EXPECT_NEAR(packed.lights[1].selectionProbability, 0.5, 1e-6);
+    ASSERT_LT(packed.backgroundLight, packed.lightCount);
+    const shared::Light& background = packed.lights[packed.backgroundLight];
+    EXPECT_EQ(background.kind, shared::kLightBackground);
+    EXPECT_EQ(background.primitive, shared::kNone);
+    EXPECT_EQ(background.radiance, glm::vec3(0.5f, 16.0f, 1.0f));
+    EXPECT_NEAR(background.selectionProbability, 0.5, 1e-6);
     EXPECT_EQ(packed.maxRadiance, 16.0);
 }
 
@@ -137,6 +140,8 @@ TEST(PackScene, LinksLightsAndPrimitivesBothWays) {
         const bool isQuadric = light.primitive & shared::kQuadricBit;
         const uint32_t index = light.primitive & ~shared::kQuadricBit;
         EXPECT_EQ(isQuadric ? scene.quadrics[index].light : scene.triangles[index].light, i);
+        EXPECT_EQ(light.kind, isQuadric ? shared::kLightSphere + scene.quadrics[index].kind
+                                        : shared::kLightTriangle);
         const uint32_t id = isQuadric ? scene.quadrics[index].id : scene.triangles[index].id;
         // By luminance, area and sides, up to a common factor.
         const double lamp = 2.0 * (0.2126 + 2.0 * 0.7152 + 4.0 * 0.0722);

@@ -16,8 +16,8 @@ namespace calotype::test {
 namespace {
 
 using reference::Geometry;
+using reference::Light;
 using reference::Lights;
-using reference::LightSample;
 
 constexpr double kPi = std::numbers::pi;
 
@@ -44,9 +44,9 @@ Estimate irradianceBySampling(const LitScene& lit, uint32_t primitive) {
     RandomNumbers random(211);
     std::vector<double> values;
     for (int i = 0; i < 200'000; ++i) {
-        const LightSample sample = lit.lights.sample(*lit.lights.ofPrimitive(primitive), {},
-                                                     {random.unit(), random.unit()});
-        const double cosTheta = glm::normalize(sample.position).y;
+        const Light::Sample sample =
+            lit.lights.ofPrimitive(primitive)->sample({}, {random.unit(), random.unit()});
+        const double cosTheta = sample.wi.y;
         values.push_back(sample.pdf > 0.0 ? std::max(cosTheta, 0.0) / sample.pdf : 0.0);
     }
     return estimate(values);
@@ -76,7 +76,7 @@ ByRays lookEverywhere(const LitScene& lit, uint32_t primitive) {
         values.push_back(2.0 * kPi * w.y);
         densities.push_back(
             2.0 * kPi *
-            lit.lights.pdf(*lit.lights.ofPrimitive(primitive), {}, surface.position, surface.ng));
+            lit.lights.ofPrimitive(primitive)->pdf({}, w, {surface.position, surface.ng}));
     }
     return {estimate(values), estimate(densities)};
 }
@@ -164,7 +164,7 @@ TEST(ReferenceLights, AreChosenByTheirPower) {
     std::vector<double> places(4);
     for (int i = 0; i < kNumbers; ++i) {
         const Lights::Choice choice = lit.lights.choose({double(i) / kNumbers, 0.5});
-        const uint32_t index = choice.light.primitive.value_or(3);
+        const uint32_t index = choice.light.primitive().value_or(3);
         ++counts[index];
         places[index] += choice.u;
     }

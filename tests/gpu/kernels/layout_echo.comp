@@ -129,7 +129,7 @@ void putLight() {
     put(l.aliasNumbers);
     put(l.alias);
     put(l.flags);
-    put(l.pad0);
+    put(l.kind);
 }
 
 void putCamera() {
@@ -160,6 +160,8 @@ void putParameters() {
     put(p.lightCount);
     put(p.iterationBudget);
     put(p.indirectClamp);
+    put(p.backgroundLight);
+    put(p.pad0);
 }
 
 void putCounters() {

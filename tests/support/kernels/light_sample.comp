@@ -17,10 +17,11 @@ void main() {
         return;
     TestLightQuery query = queries[i];
     Light light = loadLight(query.light);
-    SurfaceSample point = sampleLight(light, query.reference, query.u.xy);
-    float pdf = lightPdf(light, query.reference, point.position, point.normal);
-    vec3 emitted = emittedRadiance(light, point.normal, query.reference - point.position);
+    LightSample chosen = sampleLight(light, query.reference, query.u.xy);
+    LightPoint point = chosen.point;
+    float pdf = areaLightPdf(light, query.reference, point);
+    vec3 emitted = areaLightRadiance(light, point);
     LightChoice choice = chooseLight(query.lightCount, query.u.zw);
-    samples[i] = TestLightSample(point.position, point.error, point.normal, point.pdf, pdf,
+    samples[i] = TestLightSample(point.position, point.error, point.normal, chosen.pdf, pdf,
                                  choice.light, 0u, 0u, vec4(emitted, 0.0));
 }

@@ -62,7 +62,7 @@ struct TestLightSample {
     float error;
     vec3 normal;
     float pdf;
-    float pdfOfHit; ///< lightPdf at the same point
+    float pdfOfHit; ///< areaLightPdf at the same point
     uint chosen;    ///< light picked by u.zw
     uint pad0;
     uint pad1;
@@ -95,8 +95,8 @@ struct TestScattered {
     uint crosses;
     vec3 given; ///< evaluateBsdf at the event's wi
     float givenPdf;
-    vec3 ns; ///< as bent to the viewer
-    float diffuseProbability;
+    vec3 ns;                  ///< as bent to the viewer
+    float diffuseProbability; ///< with which the diffuse lobe is sampled
 };
 
 /// One lobe alone, sampled, and evaluated at the direction that it drew and at the event's wi.

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace calotype::reference {
+
+/// Something that shines. Directions `wi` are unit vectors from a reference point to the light;
+/// radiances are in W/(m^2 sr).
+class Light {
+public:
+    /// A place on the light, and the unit normal of the front there. Of no meaning where the light
+    /// is infinitely far away.
+    struct Point {
+        glm::dvec3 position{0.0};
+        glm::dvec3 normal{0.0};
+    };
+
+    /// A direction in which light may come to a reference point.
+    struct Sample {
+        glm::dvec3 wi{0.0};
+        Point point;
+        double pdf = 0.0; ///< per solid angle at the reference point; 0 where it is not seen
+    };
+
+    explicit Light(std::optional<uint32_t> primitive = {}) : primitive_(primitive) {}
+    virtual ~Light() = default;
+
+    /// None of a light that is infinitely far away.
+    std::optional<uint32_t> primitive() const { return primitive_; }
+
+    /// u in [0, 1)^2.
+    virtual Sample sample(const glm::dvec3& reference, const glm::dvec2& u) const = 0;
+
+    /// The density with which `sample` chooses what the direction wi meets of the light.
+    virtual double pdf(const glm::dvec3& reference, const glm::dvec3& wi,
+                       const Point& point) const = 0;
+
+    /// What arrives from there if nothing stands in the way.
+    virtual glm::dvec3 radiance(const glm::dvec3& wi, const Point& point) const = 0;
+
+    /// The largest of any channel, point and direction.
+    virtual double maxRadiance() const = 0;
+
+    virtual bool isHiddenFromCamera() const { return false; }
+
+    double selectionProbability = 0.0; ///< with which it is chosen; 1 where all are
+
+private:
+    std::optional<uint32_t> primitive_;
+};
+
+} // namespace calotype::reference

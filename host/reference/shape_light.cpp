@@ -1,0 +1,93 @@
+#include "reference/shape_light.h"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#include <glm/geometric.hpp>
+
+#include "reference/sample_shape.h"
+#include "reference/warp.h"
+
+namespace calotype::reference {
+namespace {
+
+/// A density per area, 1 / area, as one per solid angle (docs/models.md, "Direct
+/// light"). Zero edge on, and where the point is the reference itself.
+double solidAnglePdf(double area, const glm::dvec3& reference, const glm::dvec3& position,
+                     const glm::dvec3& normal) {
+    const glm::dvec3 d = position - reference;
+    if (d == glm::dvec3(0.0))
+        return 0.0;
+    const double cosTheta = std::abs(glm::dot(glm::normalize(d), normal));
+    return cosTheta > 0.0 ? glm::dot(d, d) / (cosTheta * area) : 0.0;
+}
+
+/// Whether a closed shape hides its own point, whose outward normal is given, from `reference`.
+template <typename Geometry>
+bool hidesItself(const Geometry& geometry, const glm::dvec3& reference, const glm::dvec3& position,
+                 const glm::dvec3& normal) {
+    if constexpr (std::is_same_v<Geometry, Disk> || std::is_same_v<Geometry, Mesh>)
+        return false;
+    else
+        return glm::dot(reference - position, normal) < 0.0 && !contains(geometry, reference);
+}
+
+/// Spheres are sampled by the cone in which they are seen, from outside.
+template <typename Geometry>
+bool isSeenAsCone(const Geometry& geometry, const glm::dvec3& reference) {
+    if constexpr (std::is_same_v<Geometry, Sphere>)
+        return !contains(geometry, reference);
+    else
+        return false;
+}
+
+} // namespace
+
+ShapeLight::ShapeLight(uint32_t primitive, const Shape& shape, uint32_t triangle, double area,
+                       const Material& material)
+    : Light(primitive), shape_(shape), triangle_(triangle), area_(area),
+      radiance_(material.emission), shinesFromBack_(!material.emitsFromFrontOnly),
+      isHiddenFromCamera_(!material.visibleToCamera) {}
+
+Light::Sample ShapeLight::sample(const glm::dvec3& reference, const glm::dvec2& u) const {
+    const ShapePoint on = std::visit(
+        [&]<typename G>(const G& geometry) {
+            if constexpr (std::is_same_v<G, Mesh>) {
+                return samplePoint(geometry, triangle_, u);
+            } else if constexpr (std::is_same_v<G, Sphere>) {
+                return isSeenAsCone(geometry, reference) ? sampleSeenSphere(geometry, reference, u)
+                                                         : samplePoint(geometry, u);
+            } else {
+                return samplePoint(geometry, u);
+            }
+        },
+        shape_.geometry);
+    const glm::dvec3 wi = glm::normalize(on.position - reference);
+    const Point point{on.position, on.normal};
+    return {wi, point, pdf(reference, wi, point)};
+}
+
+double ShapeLight::pdf(const glm::dvec3& reference, const glm::dvec3&, const Point& point) const {
+    return std::visit(
+        [&]<typename G>(const G& geometry) {
+            if constexpr (std::is_same_v<G, Sphere>) {
+                if (isSeenAsCone(geometry, reference)) {
+                    const bool isFarSide = glm::dot(reference - point.position, point.normal) < 0.0;
+                    return isFarSide ? 0.0 : sphereConePdf(geometry, reference);
+                }
+            }
+            return hidesItself(geometry, reference, point.position, point.normal)
+                       ? 0.0
+                       : solidAnglePdf(area_, reference, point.position, point.normal);
+        },
+        shape_.geometry);
+}
+
+glm::dvec3 ShapeLight::radiance(const glm::dvec3& wi, const Point& point) const {
+    return glm::dot(point.normal, wi) < 0.0 || shinesFromBack_ ? radiance_ : glm::dvec3(0.0);
+}
+
+double ShapeLight::maxRadiance() const { return std::max({radiance_.x, radiance_.y, radiance_.z}); }
+
+} // namespace calotype::reference

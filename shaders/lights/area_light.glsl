@@ -1,0 +1,23 @@
+// What lights that have an area have in common.
+#ifndef CALOTYPE_LIGHTS_AREA_LIGHT_GLSL
+#define CALOTYPE_LIGHTS_AREA_LIGHT_GLSL
+
+#include "lights/light_sample.glsl"
+#include "shared/scene_structs.h"
+
+/// The density per area 1 / area as one per solid angle (docs/models.md, "Direct light"):
+/// distance^2 / (cos theta area). Zero edge on.
+float solidAnglePdf(float area, vec3 reference, vec3 position, vec3 normal) {
+    vec3 d = position - reference;
+    float distance2 = dot(d, d);
+    float cosTheta = abs(dot(d * inversesqrt(distance2), normal));
+    return cosTheta > 0.0 ? distance2 / (cosTheta * area) : 0.0;
+}
+
+/// From the front, or from both sides.
+vec3 areaLightRadiance(Light light, LightPoint point) {
+    bool emits = dot(point.normal, point.wi) < 0.0 || (light.flags & kLightEmitsFromBack) != 0u;
+    return emits ? light.radiance : vec3(0.0);
+}
+
+#endif

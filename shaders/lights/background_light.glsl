@@ -1,0 +1,23 @@
+// Constant radiance from everywhere: directions uniform on the sphere (docs/models.md,
+// "Background").
+#ifndef CALOTYPE_LIGHTS_BACKGROUND_LIGHT_GLSL
+#define CALOTYPE_LIGHTS_BACKGROUND_LIGHT_GLSL
+
+#include "core/constants.glsl"
+#include "core/trigonometry.glsl"
+#include "lights/light_sample.glsl"
+#include "shared/scene_structs.h"
+
+float backgroundLightPdf(vec3 wi) { return 0.25 * kInvPi; }
+
+LightSample sampleBackgroundLight(vec2 u) {
+    float z = 1.0 - 2.0 * u.x;
+    float sinTheta = 2.0 * sqrt(u.x * (1.0 - u.x));
+    vec2 sinCosPhi = sinCosTwoPi(u.y);
+    vec3 wi = vec3(sinTheta * sinCosPhi.y, sinTheta * sinCosPhi.x, z);
+    return LightSample(pointAtInfinity(wi), backgroundLightPdf(wi));
+}
+
+vec3 backgroundLightRadiance(Light light, vec3 wi) { return light.radiance; }
+
+#endif

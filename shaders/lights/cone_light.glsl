@@ -1,0 +1,21 @@
+// Uniform points on the closed surface of a cone (docs/models.md, "Quadric lights").
+#ifndef CALOTYPE_LIGHTS_CONE_LIGHT_GLSL
+#define CALOTYPE_LIGHTS_CONE_LIGHT_GLSL
+
+#include "core/warp.glsl"
+
+/// In the quadric's frame, on the side and the base, each chosen by its area; on the side the
+/// distance from the apex goes as the square root, since circumference grows with it.
+vec3 sampleCone(float radius, float height, vec2 u) {
+    float slant = sqrt(radius * radius + height * height);
+    float baseShare = radius / (radius + slant);
+    if (u.x < baseShare) {
+        vec2 p = radius * warpToDisk(vec2(u.x / baseShare, u.y));
+        return vec3(p.x, height, p.y);
+    }
+    float fromApex = sqrt((u.x - baseShare) / (1.0 - baseShare));
+    vec2 sinCos = sinCosTwoPi(u.y);
+    return fromApex * vec3(radius * sinCos.y, height, radius * sinCos.x);
+}
+
+#endif

@@ -1,0 +1,21 @@
+// Uniform points on the closed surface of a cylinder (docs/models.md, "Quadric lights").
+#ifndef CALOTYPE_LIGHTS_CYLINDER_LIGHT_GLSL
+#define CALOTYPE_LIGHTS_CYLINDER_LIGHT_GLSL
+
+#include "core/warp.glsl"
+
+/// In the quadric's frame, on the side and both caps, each chosen by its area.
+vec3 sampleCylinder(float radius, float height, vec2 u) {
+    float capShare = 0.5 * radius / (height + radius);
+    bool lower = u.x < capShare;
+    if (lower || u.x >= 1.0 - capShare) {
+        float rest = (lower ? u.x : 1.0 - u.x) / capShare;
+        vec2 p = radius * warpToDisk(vec2(min(rest, 1.0), u.y));
+        return vec3(p.x, lower ? -0.5 * height : 0.5 * height, p.y);
+    }
+    float rest = (u.x - capShare) / (1.0 - 2.0 * capShare);
+    vec2 sinCos = sinCosTwoPi(u.y);
+    return vec3(radius * sinCos.y, (rest - 0.5) * height, radius * sinCos.x);
+}
+
+#endif

@@ -1,0 +1,41 @@
+// The contract of a kind of light.
+//
+// A file lights/<kind>_light.glsl declares, for light that reaches `reference` from the light:
+//
+//   LightSample sample<Kind>Light(..., vec3 reference, vec2 u)
+//       Chooses a direction towards the light; each component of u is uniform in [0, 1).
+//   float <kind>LightPdf(..., vec3 reference, LightPoint point)
+//       The density, per solid angle at `reference`, with which that function chooses `point`.
+//   vec3 <kind>LightRadiance(Light light, LightPoint point)
+//       The radiance that arrives from `point`, W/(m^2 sr), if nothing stands in the way.
+//
+// Kinds that have an area share the radiance, and the density of uniform points, in
+// lights/area_light.glsl. Kinds that are infinitely far away have the direction point.wi only.
+// lights/light.glsl chooses the functions by Light.kind. To add a kind: write its file, give it a
+// number in shared/scene_structs.h and a feature, and name it in lights/light.glsl.
+#ifndef CALOTYPE_LIGHTS_LIGHT_SAMPLE_GLSL
+#define CALOTYPE_LIGHTS_LIGHT_SAMPLE_GLSL
+
+/// What a ray from a reference point meets of a light.
+struct LightPoint {
+    vec3 wi;          ///< unit direction from the reference point
+    vec3 position;    ///< this and what follows is only of a light that has an area
+    float error;      ///< bound on the distance along `normal` from `position` to the true surface
+    vec3 normal;      ///< of the front
+    vec2 coordinates; ///< barycentrics on a triangle, texture coordinates on a quadric
+};
+
+struct LightSample {
+    LightPoint point;
+    float pdf; ///< per solid angle at the reference point; 0 where the point cannot be seen from it
+};
+
+/// A point that a ray met, with what densities and radiances need of it.
+LightPoint lightPoint(vec3 wi, vec3 position, vec3 normal) {
+    return LightPoint(wi, position, 0.0, normal, vec2(0.0));
+}
+
+/// A direction without a place: of a light that is infinitely far away.
+LightPoint pointAtInfinity(vec3 wi) { return LightPoint(wi, vec3(0.0), 0.0, vec3(0.0), vec2(0.0)); }
+
+#endif
