@@ -200,7 +200,8 @@ TEST(TimedStudy, GoesOnWhereAVariantFails) {
     EXPECT_EQ(study.failures[0].name, "BVH by median splits");
     EXPECT_EQ(study.measurements.back().variant.name, "basic path tracing");
     const std::string page = toHtml(study, {"a.json", "none", "calotype render a.json"});
-    EXPECT_NE(page.find("Not measured: BVH by median splits: the device was lost."), std::string::npos);
+    EXPECT_NE(page.find("Not measured: BVH by median splits: the device was lost."),
+              std::string::npos);
     // Where the pace cannot be measured any more, from the third variant on.
     int prepared = 0;
     const PrepareTracer failing = [&](const StudySettings& settings) {

@@ -83,8 +83,9 @@ TEST(StudyAdvice, ComparesWithTheUsual) {
     const std::string sentence = sentenceOf(better, usual, 0.1);
     for (const char* part : {"1.25 times as long", "0.50 times as large", "0.31 times as long."})
         EXPECT_NE(sentence.find(part), std::string::npos) << sentence;
-    EXPECT_NE(sentenceOf(madeUp("same", 1.0, 10.0), usual, 0.1).find("within the measurement noise"),
-              std::string::npos);
+    EXPECT_NE(
+        sentenceOf(madeUp("same", 1.0, 10.0), usual, 0.1).find("within the measurement noise"),
+        std::string::npos);
     Measurement dark = madeUp("dark", 1.0, 10.0, 0.2);
     dark.brighter = -0.07;
     dark.brighterError = 0.01;
@@ -95,8 +96,9 @@ TEST(StudyAdvice, ComparesWithTheUsual) {
     Measurement dim = madeUp("dim", 1.0, 10.0, 0.001);
     dim.brighter = -0.01;
     dim.brighterError = 0.001;
-    EXPECT_NE(sentenceOf(dim, usual, 0.1).find("1.00 % darker, but its error is still mostly noise"),
-              std::string::npos);
+    EXPECT_NE(
+        sentenceOf(dim, usual, 0.1).find("1.00 % darker, but its error is still mostly noise"),
+        std::string::npos);
     dim.isTrusted = false;
     dim.brighter = 0.3;
     EXPECT_NE(sentenceOf(dim, usual, 0.1).find("How much is unknown"), std::string::npos);
