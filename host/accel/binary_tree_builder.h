@@ -23,7 +23,7 @@ struct BoxReference {
 
 struct BuildOptions {
     uint32_t threads = allCores();
-    /// Hears the share of primitives already in leaves; may throw to end it. Called by the thread
+    /// Told the share of primitives already in leaves; may throw to end it. Called by the thread
     /// that builds only.
     std::function<void(double)> onProgress = {};
 };

@@ -27,7 +27,7 @@ struct Bin {
     float cost() const { return count > 0 ? halfAreaOf(bounds) * static_cast<float>(count) : 0.0f; }
 };
 
-/// Metres. Shorter rows of centres are not binned, lest the scale overflow.
+/// Metres. Shorter rows of centres are not binned, because the scale would overflow.
 constexpr float kLeastExtent = 1e-30f;
 
 /// Where the doubled centre of a box lies between the least and the greatest of all.

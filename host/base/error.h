@@ -12,10 +12,32 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// The command line asks for something that makes no sense.
+/// What the caller, or the command line, wants makes no sense.
 class UsageError : public Error {
 public:
     using Error::Error;
+};
+
+/// A setting of a render is out of its range, or does not go with the others or with the scene.
+/// `setting` is its name, such as "max_bounces"; `what()` reads "max_bounces is 7, ...".
+class SettingError : public UsageError {
+public:
+    SettingError(std::string setting, std::string problem)
+        : UsageError(setting + " " + problem), setting_(std::move(setting)),
+          problem_(std::move(problem)) {}
+
+    const std::string& setting() const { return setting_; }
+    const std::string& problem() const { return problem_; }
+
+private:
+    std::string setting_;
+    std::string problem_;
+};
+
+/// The caller stopped the work before there was anything to show.
+class Interrupted : public Error {
+public:
+    Interrupted() : Error("interrupted before the first sample; nothing was written") {}
 };
 
 /// A scene, or a file that it names, is wrong. `where` is a file with line and column, or a file

@@ -15,7 +15,8 @@ void addOverrides(CLI::App& command, std::vector<SceneOverride>& overrides) {
             "Change a value of the scene, e.g. /render/max_bounces=8; may be repeated")
         ->type_name("/POINTER=VALUE")
         ->expected(1)
-        ->take_all();
+        ->take_all()
+        ->group("Scene");
 }
 
 void addSceneOptions(CLI::App& command, SceneOptions& scene) {
@@ -24,7 +25,8 @@ void addSceneOptions(CLI::App& command, SceneOptions& scene) {
         ->type_name("SCENE");
     addOverrides(command, scene.overrides);
     addParsed(command, "--missing-textures", scene.missingTextures, parseMissingTextures,
-              "Where an image file is missing: fail, or warn and show magenta", "fail|warn");
+              "Where an image file is missing: fail, or warn and show magenta", "fail|warn")
+        ->group("Scene");
 }
 
 void addDeviceOptions(CLI::App& command, DeviceOptions& device, const std::string& others) {
@@ -32,45 +34,63 @@ void addDeviceOptions(CLI::App& command, DeviceOptions& device, const std::strin
         .add_option("--device", device.device,
                     "Device by index or part of its name (else CALOTYPE_DEVICE, else the best)" +
                         others)
-        ->type_name("INDEX|NAME");
+        ->type_name("INDEX|NAME")
+        ->group("Device");
     command.add_option("--threads", device.threads, "Threads on the CPU (default: all cores)")
         ->check(CLI::Range(1, 1024))
-        ->type_name("N");
+        ->type_name("N")
+        ->group("Device");
 }
 
-void addBvhOption(CLI::App& command, std::optional<BvhBuilder>& bvh) {
-    addParsed(
-        command, "--bvh", bvh, parseBvh,
-        "How the BVH is built: median (soon done), sah (soon traversed), or auto, the quickest "
-        "for the samples asked for (default)",
-        "auto|median|sah");
+void addSettings(CLI::App& command, SettingCommand which, GivenSettings& settings) {
+    for (const Setting& setting : settingsTable()) {
+        if (!(setting.commands & which))
+            continue;
+        CLI::Option* option = nullptr;
+        if (setting.type.empty())
+            option = command
+                         .add_flag_function(
+                             setting.option(), [&](int64_t) { settings.add(setting, "on"); },
+                             setting.help)
+                         ->multi_option_policy(CLI::MultiOptionPolicy::Throw);
+        else
+            option =
+                command
+                    .add_option_function<std::string>(
+                        setting.option(),
+                        [&](const std::string& text) { settings.add(setting, text); }, setting.help)
+                    ->type_name(setting.type);
+        option->group(nameOf(setting.group));
+    }
 }
 
-void addSamplerOption(CLI::App& command, Sampler& sampler) {
-    addParsed(command, "--sampler", sampler, parseSampler,
-              "How random numbers are drawn: each for itself (independent), or in pairs that fill "
-              "the square evenly (sobol, the default)",
-              "independent|sobol");
+void addQuietFlag(CLI::App& command, bool& quiet) {
+    command.add_flag("-q,--quiet", quiet, "No progress, only warnings and errors")
+        ->multi_option_policy(CLI::MultiOptionPolicy::Throw);
 }
 
 void addDisplayOptions(CLI::App& command, DisplayTransform& display) {
     addParsed(command, "--exposure", display.exposureStops, parseExposure,
-              "Brighten PNGs by this many stops (factors of two)", "STOPS");
+              "Brighten PNGs by this many stops (factors of two)", "STOPS")
+        ->group("Output");
     addParsed(command, "--tonemap", display.toneMap, parseToneMap,
-              "How PNGs treat bright light: " + std::string(kToneMapNames), "NAME");
+              "How PNGs treat bright light: " + std::string(kToneMapNames), "NAME")
+        ->group("Output");
 }
 
 void addStageOptions(CLI::App& command, StageList& stages) {
     for (const Stage& stage : allStages())
-        command.add_flag_callback(
-            "--" + stage.name, [&stages, &stage] { stages.push_back(&stage); }, stage.help);
+        command
+            .add_flag_callback(
+                "--" + stage.name, [&stages, &stage] { stages.push_back(&stage); }, stage.help)
+            ->group("Output");
 }
 
 void addLayerOption(CLI::App& command, LayerList& layers, const LayerList& available) {
     std::string description = "Layers of .exr outputs, separated by commas:";
     for (const Layer* layer : available)
         description += "\n" + layer->name + ": " + layer->help;
-    addParsed(command, "--aov", layers, parseLayers, description, "LIST");
+    addParsed(command, "--aov", layers, parseLayers, description, "LIST")->group("Output");
 }
 
 } // namespace calotype

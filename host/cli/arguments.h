@@ -1,13 +1,11 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "cli/options.h"
-#include "settings/bvh_builder.h"
 
 namespace calotype {
 
@@ -15,13 +13,15 @@ namespace calotype {
 void addOverrides(CLI::App& command, std::vector<SceneOverride>& overrides);
 void addSceneOptions(CLI::App& command, SceneOptions& scene);
 void addDeviceOptions(CLI::App& command, DeviceOptions& device, const std::string& others = "");
-void addBvhOption(CLI::App& command, std::optional<BvhBuilder>& bvh);
-void addSamplerOption(CLI::App& command, Sampler& sampler);
 void addDisplayOptions(CLI::App& command, DisplayTransform& display);
 /// A flag for each stage of the table.
 void addStageOptions(CLI::App& command, StageList& stages);
 /// Names the layers that are available.
 void addLayerOption(CLI::App& command, LayerList& layers, const LayerList& available);
+void addQuietFlag(CLI::App& command, bool& quiet);
+
+/// An option for each setting of the table that the command takes.
+void addSettings(CLI::App& command, SettingCommand which, GivenSettings& settings);
 
 CLI::App& addRenderCommand(CLI::App& app, RenderOptions& options);
 

@@ -2,18 +2,18 @@
 
 #include <cstdio>
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "base/atomic_file.h"
-#include "base/error.h"
 #include "cli/bench_report.h"
-#include "cli/bench_scene.h"
-#include "cli/device_engine.h"
+#include "cli/device_environment.h"
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
-#include "cli/timed.h"
+#include "engine/bench.h"
+#include "engine/bench_scene.h"
+#include "engine/scene_settings.h"
 #include "read/load.h"
-#include "render/ray_list.h"
-#include "render/render_session.h"
 
 namespace calotype {
 namespace {
@@ -37,103 +37,30 @@ std::vector<BenchScene> scenesOf(const BenchOptions& options) {
     return scenes;
 }
 
-/// Throws Interrupted where the user wants no more.
-RenderTotals renderOnce(DeviceEngine& engine, const RenderSettings& settings) {
-    RenderSession session(engine.tracer(), settings, engine.maxRadiance());
-    RenderObserver observer;
-    observer.shouldStop = isInterrupted;
-    if (session.run(observer) != RenderEnding::AllSamples)
-        throw Interrupted();
-    return session.totals();
-}
-
-/// The rates of `repeats` measurements after one that is not counted.
-Spread measure(uint32_t repeats, double count, const std::function<double()>& seconds) {
-    seconds();
-    std::vector<double> rates;
-    for (uint32_t i = 0; i < repeats; ++i) {
-        if (isInterrupted())
-            throw Interrupted();
-        rates.push_back(count / seconds());
-    }
-    return spreadOf(std::move(rates));
-}
-
-std::vector<TraversalRate> measureTraversal(const DeviceEngine& engine,
-                                            const RenderSettings& settings, uint32_t repeats) {
-    const std::pair<const char*, RayKind> kinds[] = {{"primary", RayKind::afterBounces(0)},
-                                                     {"bounced", RayKind::afterBounces(3)},
-                                                     {"shadow", RayKind::shadow()}};
-    std::vector<TraversalRate> rates;
-    for (const auto& [name, kind] : kinds) {
-        const std::vector<shared::ListedRay> rays =
-            listRays(engine.device(), engine.packed(), engine.buffers(), settings, kind);
-        if (rays.empty())
-            continue;
-        RayListTracer tracer(engine.device(), engine.packed(), engine.buffers(), rays, kind);
-        const auto count = static_cast<double>(rays.size());
-        rates.push_back(
-            {name, rays.size(), measure(repeats, count, [&] { return tracer.trace(); })});
-    }
-    return rates;
-}
-
-BenchReport benchScene(const BenchScene& benchScene, const BenchOptions& options) {
-    BenchReport report;
-    report.scene = benchScene.name;
-    report.threads = options.device.threads;
-    report.repeats = options.repeats;
-    report.compilesEverything = options.compilesEverything;
-    const Scene scene = timed(report.seconds.load, benchScene.load);
-    RenderSettings& settings = report.settings;
-    settings = {scene.film.width,
-                scene.film.height,
-                {0, 0, scene.film.width, scene.film.height},
-                0,
-                1,
-                scene.render.maxBounces,
-                scene.render.seed,
-                options.sampler};
-    EngineRequest request{settings, false, options.bvh, options.compilesEverything,
-                          [](const std::string&, double) {}};
-    request.settings.samplesPerPixel = (options.repeats + 2) * options.samplesPerPixel;
-    DeviceEngine engine(options.device, scene, request, report.seconds);
-    report.firstPassSeconds = renderOnce(engine, settings).firstSampleSeconds;
-    const StageSeconds& seconds = report.seconds;
-    report.seconds.firstSample =
-        seconds.load + seconds.build + seconds.upload + seconds.compile + report.firstPassSeconds;
+BenchReport measure(const BenchScene& benchScene, const BenchOptions& options,
+                    const DeviceOptions& device) {
+    double loadSeconds = 0.0;
+    const Scene scene = timed(loadSeconds, benchScene.load);
+    RenderSettings settings = defaultSettings(scene);
+    options.settings.applyTo(settings);
     settings.samplesPerPixel = options.samplesPerPixel;
-    renderOnce(engine, settings); // to warm up
-    std::vector<double> paths;
-    std::vector<double> rays;
-    for (uint32_t i = 0; i < options.repeats; ++i) {
-        const RenderTotals totals = renderOnce(engine, settings);
-        paths.push_back(static_cast<double>(totals.paths) / totals.seconds);
-        rays.push_back(static_cast<double>(totals.rays) / totals.seconds);
-    }
-    report.pathsPerSecond = spreadOf(std::move(paths));
-    report.raysPerSecond = spreadOf(std::move(rays));
-    report.traversal = measureTraversal(engine, settings, options.repeats);
-    report.device = engine.info();
-    report.primitives = engine.packed().primitiveCount;
-    report.deviceBytes = engine.deviceBytes();
-    engine.finish();
-    return report;
+    return measureScene(scene, settings, options.repeats, device, loadSeconds, isInterrupted);
 }
 
 } // namespace
 
 int benchCommand(const BenchOptions& options) {
     catchInterrupts();
+    const DeviceOptions device = withEnvironment(options.device, false);
     const bool writesJson = !options.jsonFile.empty();
     if (writesJson)
         checkWritable(options.jsonFile);
     std::string lines;
     for (const BenchScene& scene : scenesOf(options)) {
-        const BenchReport report = benchScene(scene, options);
-        std::fputs(toText(report).c_str(), stdout);
+        const BenchReport report = measure(scene, options, device);
+        std::fputs(toText(scene.name, report).c_str(), stdout);
         std::fflush(stdout);
-        lines += toJsonLine(report);
+        lines += toJsonLine(scene.name, report, device.threads);
         if (writesJson)
             writeFileAtomically(options.jsonFile, lines);
     }

@@ -1,12 +1,11 @@
 #include "cli/bench_report.h"
 
-#include <algorithm>
 #include <cstdio>
 
 #include <nlohmann/json.hpp>
 
-#include "base/check.h"
 #include "base/number_text.h"
+#include "engine/statistics.h"
 
 namespace calotype {
 namespace {
@@ -30,19 +29,10 @@ nlohmann::ordered_json toJson(const Spread& spread) {
 
 } // namespace
 
-Spread spreadOf(std::vector<double> numbers) {
-    CALOTYPE_CHECK_LT(0u, numbers.size());
-    std::ranges::sort(numbers);
-    const size_t half = numbers.size() / 2;
-    const double median =
-        numbers.size() % 2 == 1 ? numbers[half] : 0.5 * (numbers[half - 1] + numbers[half]);
-    return {median, numbers.front(), numbers.back()};
-}
-
-std::string toText(const BenchReport& report) {
+std::string toText(const std::string& scene, const BenchReport& report) {
     const RenderSettings& settings = report.settings;
     const StageSeconds& seconds = report.seconds;
-    std::string text = report.scene + ": " + std::to_string(report.primitives) + " primitives, " +
+    std::string text = scene + ": " + std::to_string(report.primitives) + " primitives, " +
                        std::to_string(settings.width) + "x" + std::to_string(settings.height) +
                        ", " + std::to_string(settings.samplesPerPixel) + " samples per pixel, " +
                        std::to_string(settings.maxBounces) + " bounces, on " + report.device.name +
@@ -63,20 +53,20 @@ std::string toText(const BenchReport& report) {
     return text;
 }
 
-std::string toJsonLine(const BenchReport& report) {
+std::string toJsonLine(const std::string& scene, const BenchReport& report, uint32_t threads) {
     nlohmann::ordered_json json;
-    json["scene"] = report.scene;
+    json["scene"] = scene;
     json["version"] = CALOTYPE_VERSION;
     json["device"] = report.device.name;
     json["driver"] = report.device.driver;
-    json["threads"] = report.threads;
+    json["threads"] = threads;
     json["primitives"] = report.primitives;
     json["resolution"] = {report.settings.width, report.settings.height};
     json["spp"] = report.settings.samplesPerPixel;
     json["max_bounces"] = report.settings.maxBounces;
     json["sampler"] = nameOf(report.settings.sampler);
     json["repeats"] = report.repeats;
-    json["everything_compiled"] = report.compilesEverything;
+    json["everything_compiled"] = report.settings.compilesEverything;
     json["paths_per_second"] = toJson(report.pathsPerSecond);
     json["rays_per_second"] = toJson(report.raysPerSecond);
     for (const TraversalRate& rate : report.traversal)

@@ -24,34 +24,35 @@ void checkOutputs(const RenderOptions& options) {
     OutputClaims claims;
     claims.reserve(options.scene.path);
     const FilmOptions& film = options.film;
+    const OutputOptions& output = options.output;
+    const bool adapts = options.settings.has("adaptive");
     if (!film.film.empty() && film.resume != film.film) // else it is claimed below, to be written
         claims.reserve(film.resume);
-    if (options.adapts && options.samples)
+    if (adapts && options.settings.has("samples"))
         throw UsageError("--adaptive decides on the samples of each pixel itself; leave out "
                          "--samples, or --adaptive");
-    if (options.adapts && !(film.film.empty() && film.resume.empty()))
+    if (adapts && film.keepsFilm())
         throw UsageError("films have as many samples in every pixel, and --adaptive has not; "
                          "leave out one of them");
-    const bool keepsFilm = !film.film.empty() || !film.resume.empty();
-    if (options.outputs.empty() && !keepsFilm)
+    if (output.pictures.empty() && !film.keepsFilm())
         throw UsageError(
             "there is nothing to write; name a picture with -o, or a film with --film");
-    for (const std::string& path : options.outputs)
+    for (const std::string& path : output.pictures)
         claims.claimPicture(path);
-    requireExrFor(options.layers, options.outputs);
-    if (film.checkpointSeconds && !keepsFilm)
+    requireExrFor(output.layers, output.pictures);
+    if (film.checkpointSeconds && !film.keepsFilm())
         throw UsageError("--checkpoint is how often a film is kept, and none is; add --film FILE");
-    if (keepsFilm)
-        claims.claimFilm(film.film.empty() ? film.resume : film.film);
-    if (!options.statsFile.empty())
-        claims.claim(options.statsFile);
-    const PreviewInterval& preview = options.previewInterval;
-    if (options.outputs.empty() && options.previewFile.empty() &&
+    if (film.keepsFilm())
+        claims.claimFilm(film.path());
+    if (!output.statsFile.empty())
+        claims.claim(output.statsFile);
+    const PreviewInterval& preview = output.previewInterval;
+    if (output.pictures.empty() && output.previewFile.empty() &&
         (preview.samples > 0 || preview.seconds > 0.0))
         throw UsageError("--preview-every has no picture to write; name one with --preview-file");
-    if (!options.previewFile.empty() &&
-        (options.outputs.empty() || options.previewFile != options.outputs.front()))
-        claims.claimPicture(options.previewFile);
+    if (!output.previewFile.empty() &&
+        (output.pictures.empty() || output.previewFile != output.pictures.front()))
+        claims.claimPicture(output.previewFile);
 }
 
 void checkOutputs(const MergeOptions& options) {

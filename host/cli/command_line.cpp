@@ -13,6 +13,7 @@
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
+#include "cli/markdown_help.h"
 #include "cli/parse_values.h"
 #include "settings/limits.h"
 
@@ -24,10 +25,18 @@ int fail(const std::string& message, ExitCode code) {
     return code;
 }
 
+/// The error in the words of the command line: "--crop reaches beyond the picture".
+std::string optionOf(const SettingError& error) {
+    const Setting* setting = findSetting(error.setting());
+    return (setting ? setting->option() : error.setting()) + " " + error.problem();
+}
+
 /// Runs `action`; every error ends here.
 int withExitCode(const std::function<int()>& action) {
     try {
         return action();
+    } catch (const SettingError& error) {
+        return fail(optionOf(error), kExitUsage);
     } catch (const UsageError& error) {
         return fail(error.what(), kExitUsage);
     } catch (const SceneError& error) {
@@ -63,7 +72,8 @@ CLI::App& addCompareCommand(CLI::App& app, CompareOptions& options) {
         "logarithm:\nblack below 1e-4, dark blue 1e-4, violet 1e-3, crimson 1e-2, orange 0.1, "
         "yellow "
         "1 and more;\ncyan where A or B is infinite. Such pixels are counted and left out of all "
-        "else.");
+        "else.\n\n"
+        "Example: calotype compare picture.exr reference.exr --diff errors.png");
     return command;
 }
 
@@ -83,6 +93,7 @@ CLI::App& addMergeCommand(CLI::App& app, MergeOptions& options) {
     addLayerOption(command, options.layers, layersOfFilms());
     addStageOptions(command, options.stages);
     addDisplayOptions(command, options.display);
+    command.footer("Example: calotype merge first.film second.film -o both.film -o both.exr");
     return command;
 }
 
@@ -91,8 +102,9 @@ CLI::App& addInfoCommand(CLI::App& app, InfoOptions& options) {
         "info", "Print what a scene holds and what it takes on the device, or what a film holds");
     addSceneOptions(command, options.scene);
     command.add_flag("--json", options.asJson, "Of a film: as JSON");
-    addBvhOption(command, options.bvh);
+    addSettings(command, kInfoCommand, options.settings);
     addDeviceOptions(command, options.device);
+    command.footer("Example: calotype info scenes/cornell-box.json");
     return command;
 }
 
@@ -110,18 +122,17 @@ CLI::App& addStudyCommand(CLI::App& app, StudyOptions& options) {
         .add_option("-o,--output", options.folder,
                     "Folder for study.csv, study.svg and study.html (default: study-SCENE)")
         ->type_name("DIR");
-    addParsed(command, "--size", options.size, parseSize,
-              "Size of the pictures (default: the scene's, or smaller where time is short)", "WxH");
-    command.add_flag("-q,--quiet", options.quiet, "No progress, only warnings and errors")
-        ->multi_option_policy(CLI::MultiOptionPolicy::Throw);
+    addSettings(command, kStudyCommand, options.settings);
+    addQuietFlag(command, options.quiet);
     addDeviceOptions(command, options.device,
                      "; \"reference\": the reference tracer, in double precision on the CPU");
     command.footer(
         "Two fifths of the time go to a reference. The rest is shared equally by the default "
         "settings, by\nsettings with one change each, by a basic path tracer (no MIS, no roulette, "
-        "independent samples,\n4 bounces), and last by all improvements together. Ctrl-C keeps "
-        "what "
-        "was measured so far.");
+        "independent samples,\n4 bounces), and last by all improvements together. Without --size "
+        "the pictures are smaller\nthan the scene's where time is short. Ctrl-C keeps what was "
+        "measured so far.\n\n"
+        "Example: calotype study scenes/cornell-box.json --budget 10m -o study");
     return command;
 }
 
@@ -140,18 +151,16 @@ CLI::App& addBenchCommand(CLI::App& app, BenchOptions& options) {
         ->check(CLI::Range(1u, 1000u))
         ->capture_default_str()
         ->type_name("N");
-    command.add_flag("--everything", options.compilesEverything,
-                     "Compile the whole kernel, whatever part of it the scene needs");
     command.add_option("--json", options.jsonFile, "Write a line of JSON a scene")
         ->type_name("FILE");
-    addSamplerOption(command, options.sampler);
-    addBvhOption(command, options.bvh);
+    addSettings(command, kBenchCommand, options.settings);
     addDeviceOptions(command, options.device);
     command.footer(
         "Rates are medians of the repeats, after one that is not counted, with the "
         "least and the greatest.\nRays of the traversal alone are those of the picture's "
         "paths: from the camera, after three bounces,\nand from what the camera sees to "
-        "the lights.");
+        "the lights.\n\n"
+        "Example: calotype bench scenes/cornell-box.json --json bench.jsonl");
     return command;
 }
 
@@ -162,6 +171,8 @@ int parseAndRun(int argc, char** argv) {
                  "than --max-relmse.",
                  "calotype");
     app.set_version_flag("--version", CALOTYPE_VERSION);
+    bool wantsMarkdown = false;
+    app.add_flag("--help-markdown", wantsMarkdown, "Print the help of all commands as Markdown");
     app.require_subcommand(0, 1); // none is reported below, after any unknown word
     RenderOptions renderOptions;
     InfoOptions infoOptions;
@@ -186,6 +197,10 @@ int parseAndRun(int argc, char** argv) {
         return app.exit(success);
     } catch (const CLI::ParseError& error) {
         throw UsageError(std::string(error.what()) + " (see calotype --help)");
+    }
+    if (wantsMarkdown) {
+        std::fputs(markdownHelp(app).c_str(), stdout);
+        return std::fflush(stdout) == 0 ? kExitDone : kExitOther;
     }
     if (app.get_subcommands().empty())
         throw UsageError("a command is required: render, info, merge, compare, study, bench, "

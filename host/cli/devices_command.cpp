@@ -2,22 +2,21 @@
 
 #include <cstdio>
 
-#include "base/error.h"
-#include "cli/device_session.h"
+#include "cli/device_environment.h"
 #include "cli/exit_code.h"
-#include "gpu/device_list.h"
+#include "engine/devices.h"
 
 namespace calotype {
 
-int devicesCommand(const DeviceOptions& options) {
-    const Instance instance = makeInstance(options);
-    const auto devices = listDevices(instance);
+int devicesCommand(const DeviceOptions& given) {
+    const DeviceOptions options = withEnvironment(given, false);
+    const auto devices = allDevices(options);
     for (const DeviceInfo& device : devices)
         std::printf("%u  %s\n   %s, %s, Vulkan %s%s%s\n", device.index, device.name.c_str(),
                     device.type.c_str(), device.driver.c_str(), device.apiVersion.c_str(),
                     device.missing.empty() ? "" : "; cannot be used, it lacks ",
                     device.missing.c_str());
-    const DeviceChoice choice = chooseDevice(devices, options.device);
+    const DeviceChoice choice = chooseDevice(devices, options);
     std::printf("would take %u, %s: %s\n", choice.index, devices[choice.index].name.c_str(),
                 choice.reason.c_str());
     return kExitDone;

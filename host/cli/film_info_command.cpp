@@ -7,7 +7,8 @@
 #include "base/number_text.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
-#include "cli/statistics.h"
+#include "engine/statistics.h"
+#include "film/error_estimate.h"
 #include "film/film_file.h"
 #include "shared/limits.h"
 

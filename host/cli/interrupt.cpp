@@ -4,12 +4,14 @@
 #include <ctime>
 #include <unistd.h>
 
+#include "base/error.h"
+
 namespace calotype {
 namespace {
 
-/// Signals less than this apart, in seconds, are one wish: `timeout` signals the program and then
+/// Signals less than this apart, in seconds, count as one: `timeout` signals the program and then
 /// its process group. Nobody presses Ctrl-C twice so fast.
-constexpr double kOneWish = 0.2;
+constexpr double kSameSignal = 0.2;
 
 volatile std::sig_atomic_t interrupted = 0;
 timespec
@@ -24,7 +26,7 @@ void onSignal(int signal) {
     clock_gettime(CLOCK_MONOTONIC, &now);
     if (!interrupted)
         firstSignalAt = now;
-    else if (secondsBetween(firstSignalAt, now) > kOneWish)
+    else if (secondsBetween(firstSignalAt, now) > kSameSignal)
         _exit(128 + signal);
     interrupted = 1;
 }
@@ -45,5 +47,10 @@ void catchInterrupts() {
 }
 
 bool isInterrupted() { return interrupted != 0; }
+
+void throwIfInterrupted() {
+    if (isInterrupted())
+        throw Interrupted();
+}
 
 } // namespace calotype

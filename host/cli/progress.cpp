@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kBarInterval(100);
 constexpr std::chrono::seconds kLineInterval(10);
-constexpr std::chrono::seconds kPatience(1); ///< before loading and building are worth a word
+constexpr std::chrono::seconds kQuietStart(1); ///< before loading and building are shown
 
 std::string bar(double done) {
     constexpr int kWidth = 24;
@@ -47,7 +47,7 @@ void Progress::show(double done, const std::string& text) {
 }
 
 void Progress::step(const std::string& what, double done) {
-    if (Clock::now() - start_ > kPatience && isDue())
+    if (Clock::now() - start_ > kQuietStart && isDue())
         show(done, what);
 }
 

@@ -1,22 +1,12 @@
 #pragma once
 
 #include <chrono>
-#include <cstdint>
-#include <optional>
 #include <string>
 
+#include "engine/render_plan.h"
 #include "render/session.h"
 
 namespace calotype {
-
-/// What a render is to come to: the first of these that is reached ends it.
-struct RenderPlan {
-    uint64_t pixels = 0;
-    uint64_t samplesBefore = 0;              ///< per pixel, that need not be rendered
-    std::optional<uint64_t> samplesPerPixel; ///< those before among them
-    std::optional<double> targetError;
-    std::optional<double> seconds; ///< from now
-};
 
 /// Tells on standard error how far the work is: on a terminal as a bar that is drawn over,
 /// elsewhere as a line now and then. Silent if `quiet`.

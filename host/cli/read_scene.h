@@ -1,24 +1,23 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <string>
 
 #include "cli/options.h"
 #include "scene/scene.h"
-#include "settings/render_settings.h"
 
 namespace calotype {
 
-/// The scene that the options name. `onProgress` hears "loading chair.obj", and the share of it
-/// done; what it throws ends the reading. Throws SceneError, like loadScene.
-Scene readScene(const SceneOptions& options, const std::optional<PictureSize>& size,
+/// The scene that the options name, in the size that the settings give, if they do. `onProgress` is
+/// told "loading chair.obj", and the share of it done; what it throws ends the reading. Throws
+/// SceneError, like loadScene.
+Scene readScene(const SceneOptions& options, const GivenSettings& settings,
                 const std::function<void(const std::string& what, double done)>& onProgress);
 
-/// The scene's warnings, on standard error.
-void printWarnings(const Scene& scene);
+/// On standard error.
+void printWarning(const std::string& warning);
 
-/// All of the picture, as the scene itself says.
-RenderSettings settingsOf(const Scene& scene);
+/// The scene's warnings, likewise.
+void printWarnings(const Scene& scene);
 
 } // namespace calotype

@@ -4,25 +4,11 @@
 #include <cstdio>
 
 #include "base/number_text.h"
+#include "cli/read_scene.h"
+#include "engine/loss_warnings.h"
 
 namespace calotype {
 namespace {
-
-void warn(uint64_t count, const char* text) {
-    if (count > 0)
-        std::fprintf(stderr, "calotype: warning: %llu %s\n", static_cast<unsigned long long>(count),
-                     text);
-}
-
-void warnOfLosses(const FilmLosses& losses, uint64_t cutPixels) {
-    warn(losses.nonFiniteSamples, "samples were not finite and count as black");
-    warn(losses.cutPaths, "paths were cut short by the device's loop limit, so the picture is "
-                          "too dark; lower --max-bounces, use fewer transparent layers, or take a "
-                          "GPU");
-    warn(cutPixels, "pixels lie behind more transparent surfaces than the layers of --aov see "
-                    "through, and show one of those as if it were opaque");
-    warn(losses.lostPixels(), "blocks of samples were too bright for the film and count as black");
-}
 
 /// " 1.93 %", with a word where more light may be missing altogether.
 std::string estimateText(const ErrorEstimate& error) {
@@ -33,14 +19,15 @@ std::string estimateText(const ErrorEstimate& error) {
 }
 
 /// Where the picture or the film is.
-std::string placeOf(const RenderReport& report) {
-    return report.options.outputs.empty() ? report.film : report.options.outputs.front();
+std::string placeOf(const RenderOptions& options) {
+    const std::vector<std::string>& pictures = options.output.pictures;
+    return pictures.empty() ? options.film.path() : pictures.front();
 }
 
-void reportInterrupt(const RenderReport& report, const std::string& samples) {
-    const char* what = report.options.outputs.empty() ? "film" : "picture";
+void reportInterrupt(const RenderOptions& options, const std::string& samples) {
+    const char* what = options.output.pictures.empty() ? "film" : "picture";
     std::fprintf(stderr, "calotype: interrupted after %s; the %s so far is in %s\n",
-                 samples.c_str(), what, placeOf(report).c_str());
+                 samples.c_str(), what, placeOf(options).c_str());
 }
 
 /// The estimate, and how a goal is judged by it.
@@ -56,35 +43,36 @@ std::string judgedText(const ErrorEstimate& error, double target) {
 }
 
 /// A goal that was missed.
-void warnOfGoal(const RenderReport& report) {
-    const auto& [options, totals, ending, samplesWanted, film, cutPixels] = report;
-    if (options.targetError && ending != RenderEnding::TargetError)
-        std::fprintf(stderr,
-                     "calotype: warning: the error of %s that --target-error asks for was not "
-                     "reached%s\n",
-                     percentText(*options.targetError).c_str(),
-                     totals.error ? judgedText(*totals.error, *options.targetError).c_str() : "");
+void warnOfGoal(const RenderOutcome& outcome) {
+    const auto& target = outcome.plan.targetError;
+    const auto& error = outcome.totals.error;
+    if (target && outcome.ending != RenderEnding::TargetError)
+        printWarning("the error of " + percentText(*target) +
+                     " that --target-error asks for was not reached" +
+                     (error ? judgedText(*error, *target) : ""));
 }
 
 } // namespace
 
-void reportRender(const RenderReport& report) {
-    const auto& [options, totals, ending, samplesWanted, film, cutPixels] = report;
-    warnOfLosses(totals.losses, cutPixels);
+void reportRender(const RenderOptions& options, const RenderOutcome& outcome) {
+    const RenderTotals& totals = outcome.totals;
+    for (const std::string& warning : lossWarnings(totals.losses, outcome.cutPixels))
+        printWarning(warning);
     const std::string samples =
         std::to_string(totals.samplesPerPixel) +
-        (samplesWanted ? " of " + std::to_string(*samplesWanted) : std::string()) +
+        (outcome.plan.samplesPerPixel ? " of " + std::to_string(*outcome.plan.samplesPerPixel)
+                                      : std::string()) +
         " samples per pixel";
-    if (ending == RenderEnding::Stopped)
-        return reportInterrupt(report, samples);
-    warnOfGoal(report);
+    if (outcome.ending == RenderEnding::Stopped)
+        return reportInterrupt(options, samples);
+    warnOfGoal(outcome);
     if (options.quiet)
         return;
     const auto rate = [&](uint64_t count) {
         return totals.seconds > 0.0 ? withPrefix(static_cast<double>(count) / totals.seconds)
                                     : std::string("0");
     };
-    std::fprintf(stderr, "%s: %s in %s%s, %s samples/s, %s rays/s\n", placeOf(report).c_str(),
+    std::fprintf(stderr, "%s: %s in %s%s, %s samples/s, %s rays/s\n", placeOf(options).c_str(),
                  samples.c_str(), durationText(totals.seconds).c_str(),
                  totals.error ? (", error" + estimateText(*totals.error)).c_str() : "",
                  rate(totals.paths).c_str(), rate(totals.rays).c_str());

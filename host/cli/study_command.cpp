@@ -13,12 +13,14 @@
 #include "base/number_text.h"
 #include "base/stopwatch.h"
 #include "cli/commands.h"
-#include "cli/device_session.h"
+#include "cli/device_environment.h"
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
 #include "cli/progress.h"
 #include "cli/read_scene.h"
-#include "cli/render_engine.h"
+#include "engine/devices.h"
+#include "engine/render_engine.h"
+#include "engine/scene_settings.h"
 #include "study/advice.h"
 #include "study/csv.h"
 #include "study/page.h"
@@ -64,9 +66,8 @@ std::string renderCommandOf(const StudyOptions& options) {
         command += " --set " + shellWord(override.pointer + "=" + override.value);
     if (options.scene.missingTextures == MissingTextures::Warn)
         command += " --missing-textures warn";
-    if (options.size)
-        command += " --size " + std::to_string(options.size->width) + "x" +
-                   std::to_string(options.size->height);
+    if (const std::string settings = options.settings.options(); !settings.empty())
+        command += " " + settings;
     if (!options.device.device.empty())
         command += " --device " + shellWord(options.device.device);
     if (options.device.threads > 0)
@@ -143,6 +144,7 @@ int reportGaps(const Study& study, const std::filesystem::path& folder) {
 
 int studyCommand(const StudyOptions& options) {
     catchInterrupts();
+    const DeviceOptions device = withEnvironment(options.device, true);
     const Clock::time_point start = Clock::now();
     Progress progress(options.quiet);
     const auto show = [&](const std::string& what) {
@@ -150,11 +152,11 @@ int studyCommand(const StudyOptions& options) {
         const double left = options.budget - secondsSince(start);
         progress.step(what + ", " + durationText(std::max(0.0, left)) + " left", done);
     };
-    Scene scene = readScene(options.scene, options.size, [&](const std::string& what, double) {
-        if (isInterrupted())
-            throw Interrupted();
-        show(what);
-    });
+    const Scene scene =
+        readScene(options.scene, options.settings, [&](const std::string& what, double) {
+            throwIfInterrupted();
+            show(what);
+        });
     progress.clear();
     const std::filesystem::path folder = makeFolder(options);
     printWarnings(scene);
@@ -162,18 +164,15 @@ int studyCommand(const StudyOptions& options) {
     StudyOrigin origin;
     origin.scene = std::filesystem::path(options.scene.path).filename().string();
     origin.command = renderCommandOf(options);
-    const PrepareTracer prepare = [&](const StudySettings& settings) {
-        scene.lightChoice = settings.lightChoice;
+    const auto onStep = [&](const std::string& what, double) {
+        if (isInterrupted())
+            throw StudyStopped();
+        show(what);
+    };
+    const PrepareTracer prepare = [&](const RenderSettings& settings) {
         StageSeconds seconds;
         std::shared_ptr<RenderEngine> engine =
-            makeEngine(options.device, scene,
-                       {settings.render, false, settings.bvh, settings.compilesEverything,
-                        [&](const std::string& what, double) {
-                            if (isInterrupted())
-                                throw StudyStopped();
-                            show(what);
-                        }},
-                       seconds);
+            makeEngine(device, scene, {settings, false, onStep}, seconds);
         if (engine->maxRadiance() == 0.0)
             throw SceneError(options.scene.path, "the scene has no light, so no error to study");
         origin.device = engine->info().name;
@@ -184,8 +183,9 @@ int studyCommand(const StudyOptions& options) {
     observer.shouldStop = isInterrupted;
     observer.onProgress = show;
     const double left = std::max(0.0, options.budget - secondsSince(start));
-    const StudyPlan plan{
-        {settingsOf(scene)}, left, options.size.has_value(), isReference(options.device)};
+    RenderSettings settings = defaultSettings(scene);
+    options.settings.applyTo(settings);
+    const StudyPlan plan{settings, left, options.settings.has("size"), isReference(device)};
     const Study study = runOrClean(folder, [&] { return runStudy(plan, prepare, observer); });
     progress.clear();
     writeAll(study, origin, folder);

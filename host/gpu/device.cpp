@@ -15,9 +15,9 @@ uint32_t computeFamily(const vk::raii::PhysicalDevice& physicalDevice) {
 
 } // namespace
 
-Device::Device(const Instance& instance, std::string_view wish) {
+Device::Device(const Instance& instance, std::string_view wish, std::string_view askedBy) {
     const auto devices = listDevices(instance);
-    choice_ = chooseDevice(devices, wish);
+    choice_ = chooseDevice(devices, wish, askedBy);
     info_ = devices[choice_.index];
     callVulkan([&] {
         const auto physicalDevices = instance.handle().enumeratePhysicalDevices();

@@ -16,7 +16,7 @@ namespace calotype {
 class Device {
 public:
     /// Throws GpuError where chooseDevice does, or where the driver fails.
-    Device(const Instance& instance, std::string_view wish);
+    Device(const Instance& instance, std::string_view wish, std::string_view askedBy = "");
 
     const vk::raii::Device& handle() const { return device_; }
     const DeviceInfo& info() const { return info_; }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstdlib>
 #include <optional>
 
 #include "base/lowercase.h"
@@ -78,8 +77,9 @@ bool fits(const DeviceInfo& device, std::string_view wish) {
 }
 
 DeviceChoice chooseByWish(const std::vector<DeviceInfo>& devices, std::string_view wish,
-                          const std::string& source) {
-    const std::string asked = source + " '" + std::string(wish) + "'";
+                          std::string_view askedBy) {
+    const std::string asked =
+        std::string(askedBy) + (askedBy.empty() ? "'" : " '") + std::string(wish) + "'";
     const auto found = std::find_if(devices.begin(), devices.end(),
                                     [&](const DeviceInfo& device) { return fits(device, wish); });
     if (found == devices.end())
@@ -119,17 +119,13 @@ std::vector<DeviceInfo> listDevices(const Instance& instance) {
     });
 }
 
-DeviceChoice chooseDevice(const std::vector<DeviceInfo>& devices, std::string_view wish) {
+DeviceChoice chooseDevice(const std::vector<DeviceInfo>& devices, std::string_view wish,
+                          std::string_view askedBy) {
     if (devices.empty())
         throw GpuError("there is no Vulkan device; install a driver (Debian: mesa-vulkan-drivers, "
                        "which renders on the CPU)");
     if (!wish.empty())
-        return chooseByWish(devices, wish, "--device");
-    const char* variable = std::getenv("CALOTYPE_DEVICE");
-    // Of no device: render takes it for its other tracer.
-    const bool isReference = variable && lowercase(variable) == "reference";
-    if (variable && *variable && !isReference)
-        return chooseByWish(devices, variable, "CALOTYPE_DEVICE");
+        return chooseByWish(devices, wish, askedBy);
     const DeviceInfo* best = nullptr;
     for (const DeviceInfo& device : devices)
         if (device.missing.empty() && (!best || device.rank > best->rank))

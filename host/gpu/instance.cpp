@@ -1,7 +1,6 @@
 #include "gpu/instance.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 
@@ -10,17 +9,12 @@ namespace {
 
 constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
 
-bool validationRequested() {
-    const char* value = std::getenv("CALOTYPE_VALIDATION");
-    return value && std::strcmp(value, "0") != 0 && *value;
-}
-
 void requireValidationLayer(const vk::raii::Context& context) {
     const auto layers = context.enumerateInstanceLayerProperties();
     if (std::none_of(layers.begin(), layers.end(), [](const vk::LayerProperties& layer) {
             return std::strcmp(layer.layerName, kValidationLayer) == 0;
         }))
-        throw GpuError("CALOTYPE_VALIDATION is set, but the Khronos validation layer is not "
+        throw GpuError("validation is wanted, but the Khronos validation layer is not "
                        "installed (Debian: vulkan-validationlayers)");
 }
 
@@ -54,17 +48,16 @@ VkBool32 Instance::onValidationMessage(VkDebugUtilsMessageSeverityFlagBitsEXT,
     return VK_FALSE;
 }
 
-Instance::Instance() : log_(std::make_unique<MessageLog>()), context_(loadVulkan()) {
+Instance::Instance(bool validates) : log_(std::make_unique<MessageLog>()), context_(loadVulkan()) {
     callVulkan([&] {
-        const bool validate = validationRequested();
-        if (validate)
+        if (validates)
             requireValidationLayer(context_);
         const vk::ApplicationInfo application("calotype", 1, "calotype", 1, VK_API_VERSION_1_2);
-        const std::vector<const char*> layers(validate ? 1 : 0, kValidationLayer);
-        const std::vector<const char*> extensions(validate ? 1 : 0,
+        const std::vector<const char*> layers(validates ? 1 : 0, kValidationLayer);
+        const std::vector<const char*> extensions(validates ? 1 : 0,
                                                   VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
         instance_ = createInstance(context_, {{}, &application, layers, extensions});
-        if (!validate)
+        if (!validates)
             return;
         using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
         using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;

@@ -9,13 +9,12 @@
 
 namespace calotype {
 
-/// The connection to Vulkan. With the environment variable CALOTYPE_VALIDATION=1 the Khronos
-/// validation layer listens; what it says is kept, not printed.
+/// The connection to Vulkan.
 class Instance {
 public:
-    /// Throws GpuError where there is no Vulkan 1.2 loader, or no validation layer although asked
-    /// for.
-    Instance();
+    /// With `validates` the Khronos validation layer checks every call; its messages are kept, not
+    /// printed. Throws GpuError where there is no Vulkan 1.2 loader, or no such layer.
+    explicit Instance(bool validates = false);
 
     const vk::raii::Instance& handle() const { return instance_; }
 

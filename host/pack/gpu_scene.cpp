@@ -29,9 +29,9 @@ void requireAddressable(size_t count, size_t most, const char* what) {
 class ScenePacker {
 public:
     ScenePacker(const Scene& scene, std::span<const Primitive> primitives, const Bvh& bvh,
-                const glm::dvec3& origin, const CornerData& corners)
-        : scene_(scene), primitives_(primitives), bvh_(bvh), corners_(corners),
-          textures_(scene.textures), lights_(scene, packed_.features) {
+                const glm::dvec3& origin, const PackOptions& options)
+        : scene_(scene), primitives_(primitives), bvh_(bvh), options_(options),
+          textures_(scene.textures), lights_(scene, packed_.features, options.lightChoice) {
         packed_.origin = origin;
         packed_.primitiveCount = primitives.size();
         packed_.materials.resize(scene.materials.size());
@@ -58,7 +58,7 @@ private:
         enable(shared::kFeatureSmoothNormals, smooth);
         packMaterials();
         const bool textured =
-            corners_.allUvs ||
+            options_.allUvs ||
             std::any_of(std::begin(kTextureSlots), std::end(kTextureSlots),
                         [&](uint32_t slot) { return packed_.features.enabled[slot]; });
         nameInOrder();
@@ -68,7 +68,7 @@ private:
                triangles > 0 && quadricCount_ > 0 && hasManyQuadrics());
         packed_.quadrics.resize(quadricCount_);
         packed_.triangles.resize(triangles);
-        packed_.triangleNormals.resize(smooth || corners_.allNormals ? triangles : 0);
+        packed_.triangleNormals.resize(smooth || options_.allNormals ? triangles : 0);
         packed_.triangleUvs.resize(textured ? triangles : 0);
         parallelChunks(names_.size(), allCores(), [&](uint64_t first, uint64_t last) {
             for (uint64_t place = first; place < last; ++place) {
@@ -218,7 +218,7 @@ private:
         });
     }
 
-    /// Materials that something bears. What others would need of the kernel is left out.
+    /// Materials of some primitive. What others would need of the kernel is left out.
     void packMaterials() {
         for (const Shape& shape : scene_.shapes) {
             if (const Mesh* mesh = std::get_if<Mesh>(&shape.geometry)) {
@@ -284,7 +284,7 @@ private:
     const Scene& scene_;
     std::span<const Primitive> primitives_;
     const Bvh& bvh_;
-    CornerData corners_;
+    PackOptions options_;
     TexturePacker textures_;
     GpuScene packed_;
     LightPacker lights_;
@@ -307,12 +307,12 @@ size_t GpuScene::bytes() const {
 }
 
 GpuScene packScene(const Scene& scene, std::span<const Primitive> primitives, const Bvh& bvh,
-                   const glm::dvec3& origin, double aspectRatio, const CornerData& corners) {
+                   const glm::dvec3& origin, double aspectRatio, const PackOptions& options) {
     static_assert(shared::kFeatureDisks - shared::kFeatureSpheres ==
                   shared::kDisk - shared::kSphere);
     static_assert(shared::kLightDisk - shared::kLightSphere == shared::kDisk - shared::kSphere);
     CALOTYPE_CHECK_EQ(bvh.order.size(), primitives.size());
-    return ScenePacker(scene, primitives, bvh, origin, corners).pack(aspectRatio);
+    return ScenePacker(scene, primitives, bvh, origin, options).pack(aspectRatio);
 }
 
 } // namespace calotype

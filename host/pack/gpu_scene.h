@@ -7,6 +7,7 @@
 #include "accel/primitive.h"
 #include "pack/scene_features.h"
 #include "scene/scene.h"
+#include "settings/light_choice.h"
 #include "shared/scene_structs.h"
 
 namespace calotype {
@@ -19,7 +20,7 @@ struct GpuScene {
         triangleNormals;                          ///< one per triangle, or a single one unused
     std::vector<shared::TriangleUvs> triangleUvs; ///< likewise
     std::vector<shared::Quadric> quadrics;
-    std::vector<shared::Material> materials; ///< those that no primitive bears are left blank
+    std::vector<shared::Material> materials; ///< those of no primitive are left blank
     std::vector<shared::Texture> textures;
     std::vector<glm::uvec4> texelRows;
     std::vector<shared::Light> lights;
@@ -36,15 +37,16 @@ struct GpuScene {
     size_t bytes() const;
 };
 
-/// What is packed of triangles' corners although the scene does not need it.
-struct CornerData {
-    bool allUvs = false;     ///< texture coordinates without textures
+/// What is packed beside what the scene itself says.
+struct PackOptions {
+    bool allUvs = false;     ///< texture coordinates of triangles without textures
     bool allNormals = false; ///< normals of flat triangles: zeros
+    LightChoice lightChoice = LightChoice::Power;
 };
 
 /// Packs a scene with its tree. `aspectRatio` is the picture's width over its height; `primitives`
 /// were collected relative to `origin`.
 GpuScene packScene(const Scene& scene, std::span<const Primitive> primitives, const Bvh& bvh,
-                   const glm::dvec3& origin, double aspectRatio, const CornerData& corners = {});
+                   const glm::dvec3& origin, double aspectRatio, const PackOptions& options = {});
 
 } // namespace calotype

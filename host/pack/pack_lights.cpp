@@ -9,7 +9,6 @@
 #include "pack/alias_table.h"
 #include "pack/pack_material.h"
 #include "scene/scene_bounds.h"
-#include "settings/light_choice.h"
 #include "shared/bindings.h"
 
 namespace calotype {
@@ -84,8 +83,7 @@ std::vector<shared::Light> LightPacker::take() {
     addBackground();
     std::vector<double> powers;
     for (const NumberedLight& light : lights_)
-        powers.push_back(
-            scene_.lightChoice == LightChoice::Power || light.power == 0.0 ? light.power : 1.0);
+        powers.push_back(choice_ == LightChoice::Power || light.power == 0.0 ? light.power : 1.0);
     const std::vector<AliasColumn> columns = buildAliasTable(powers);
     std::vector<shared::Light> packed;
     for (size_t i = 0; i < lights_.size(); ++i) {

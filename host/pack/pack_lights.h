@@ -6,15 +6,18 @@
 
 #include "pack/scene_features.h"
 #include "scene/scene.h"
+#include "settings/light_choice.h"
 #include "shared/scene_structs.h"
 
 namespace calotype {
 
-/// Collects a scene's lights, and how likely each is to be chosen: by its power.
+/// Collects a scene's lights, and how likely each is to be chosen.
 class LightPacker {
 public:
     /// `scene` and `features`, to which what the lights need is added, must outlive this.
-    LightPacker(const Scene& scene, SceneFeatures& features) : scene_(scene), features_(features) {}
+    LightPacker(const Scene& scene, SceneFeatures& features,
+                LightChoice choice = LightChoice::Power)
+        : scene_(scene), features_(features), choice_(choice) {}
 
     /// Whether primitives of the material may be lights.
     bool isLight(uint32_t materialIndex) const;
@@ -43,6 +46,7 @@ private:
 
     const Scene& scene_;
     SceneFeatures& features_;
+    LightChoice choice_;
     std::vector<NumberedLight> lights_;
     double maxRadiance_ = 0.0;
 };

@@ -22,13 +22,13 @@ double luminance(const glm::dvec3& rgb) { return glm::dot(rgb, {0.2126, 0.7152, 
 
 } // namespace
 
-Lights::Lights(const Scene& scene, const Geometry& geometry)
+Lights::Lights(const Scene& scene, const Geometry& geometry, LightChoice choice)
     : scene_(scene), geometry_(geometry), ofPrimitive_(geometry.primitiveCount(), nullptr) {
     for (uint32_t primitive = 0; primitive < geometry.primitiveCount(); ++primitive)
         add(primitive, scene.materials[geometry.materialOf(primitive)]);
     addBackground();
-    buildAliasTable();
-    if (scene.lightChoice == LightChoice::All)
+    buildAliasTable(choice);
+    if (choice == LightChoice::All)
         for (const std::unique_ptr<Light>& light : lights_)
             light->selectionProbability = 1.0;
 }
@@ -81,8 +81,8 @@ std::vector<uint64_t> Lights::dealNumbers() const {
     return dealt;
 }
 
-void Lights::buildAliasTable() {
-    if (scene_.lightChoice == LightChoice::Uniform)
+void Lights::buildAliasTable(LightChoice choice) {
+    if (choice == LightChoice::Uniform)
         for (double& power : powers_)
             power = power > 0.0 ? 1.0 : 0.0;
     std::vector<uint64_t> numbers = dealNumbers();

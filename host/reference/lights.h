@@ -9,13 +9,14 @@
 #include "reference/geometry.h"
 #include "reference/light.h"
 #include "scene/scene.h"
+#include "settings/light_choice.h"
 
 namespace calotype::reference {
 
 /// All lights of a scene, and the choice of one.
 class Lights {
 public:
-    Lights(const Scene& scene, const Geometry& geometry);
+    Lights(const Scene& scene, const Geometry& geometry, LightChoice choice = LightChoice::Power);
 
     bool empty() const { return lights_.empty(); }
     const std::vector<std::unique_ptr<Light>>& all() const { return lights_; }
@@ -50,7 +51,7 @@ private:
 
     void add(uint32_t primitive, const Material& material);
     void addBackground();
-    void buildAliasTable();
+    void buildAliasTable(LightChoice choice);
     std::vector<uint64_t> dealNumbers() const;
 
     const Scene& scene_;

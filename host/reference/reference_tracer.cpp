@@ -168,7 +168,7 @@ private:
 
     /// Light from one point of the light that is chosen, or of each, scattered towards the viewer.
     glm::dvec3 directLight(const Surface& surface, const Bsdf& bsdf, const Departure& from) {
-        if (tracer_.scene_.lightChoice != LightChoice::All) {
+        if (tracer_.transport_.lightChoice != LightChoice::All) {
             const glm::dvec4 u = bounceNumbers(id_, bounce_, BounceDimension::Light);
             const auto [light, place] = tracer_.lights_.choose(glm::dvec2(u.x, u.z));
             return lightFrom(light, surface, bsdf, from, glm::dvec2(place, u.y));
@@ -271,7 +271,7 @@ private:
 ReferenceTracer::ReferenceTracer(const Scene& scene, const glm::uvec2& imageSize,
                                  uint32_t maxBounces, const TransportSettings& transport)
     : scene_(scene), imageSize_(imageSize), maxBounces_(maxBounces), transport_(transport),
-      geometry_(scene), lights_(scene, geometry_) {}
+      geometry_(scene), lights_(scene, geometry_, transport.lightChoice) {}
 
 const Material& ReferenceTracer::materialOf(uint32_t primitive) const {
     return scene_.materials[geometry_.materialOf(primitive)];

@@ -5,7 +5,7 @@
 namespace calotype {
 
 /// How many tiles to give the next dispatch, so that each takes about a tenth of a second: drivers
-/// end work of more than about two seconds and the device with it, an interrupt has to be heard
+/// end work of more than about two seconds and the device with it, an interrupt must take effect
 /// within one, and much shorter dispatches waste time on their start.
 class DispatchSizer {
 public:
@@ -16,7 +16,7 @@ public:
     /// At least 1.
     uint32_t tiles() const { return tiles_; }
 
-    /// Learns from a dispatch of `tiles` tiles. Grows fourfold at most at a time.
+    /// Takes a dispatch into account: of `tiles` tiles. Grows fourfold at most at a time.
     void update(uint32_t tiles, double seconds);
 
 private:

@@ -18,12 +18,12 @@ namespace calotype {
 class FirstHitPass {
 public:
     /// Compiles the kernel, specialised for `features`. The scene has to be packed with
-    /// CornerData::allUvs; its buffers must outlive this. Of the settings only the film's size and
+    /// PackOptions::allUvs; its buffers must outlive this. Of the settings only the film's size and
     /// the crop count.
     FirstHitPass(const Device& device, const GpuScene& scene, const SceneBuffers& buffers,
                  const SceneFeatures& features, const RenderSettings& settings);
 
-    /// The first hits of the crop. `onProgress`, if given, hears the share of the work done about
+    /// The first hits of the crop. `onProgress`, if given, is told the share of the work done about
     /// ten times a second, and may throw to end it.
     FirstHitImage run(const std::function<void(double)>& onProgress = {});
 

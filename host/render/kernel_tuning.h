@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "gpu/device_list.h"
+#include "gpu/device_info.h"
 
 namespace calotype {
 

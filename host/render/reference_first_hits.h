@@ -10,7 +10,7 @@
 namespace calotype {
 
 /// The first hits of the crop by the reference tracer, on `threads` >= 1 threads. `onProgress`, if
-/// given, hears the share of the work done after every few rows, and may throw to end it.
+/// given, is told the share of the work done after every few rows, and may throw to end it.
 FirstHitImage referenceFirstHits(const reference::ReferenceTracer& tracer,
                                  const RenderSettings& settings, uint32_t threads,
                                  const std::function<void(double)>& onProgress = {});

@@ -29,8 +29,8 @@ struct RenderTotals {
 /// What ends a render before all its samples are there.
 struct RenderGoal {
     /// ErrorEstimate::upperBound that is good enough, of an estimate that is to be trusted. It is
-    /// looked at when the film holds 128, 256, 512, ... samples per pixel, lest many looks find by
-    /// chance what is not so.
+    /// looked at when the film holds 128, 256, 512, ... samples per pixel, because many looks would
+    /// find by chance what is not so.
     std::optional<double> targetError;
     std::optional<std::chrono::steady_clock::time_point> deadline;
 };

@@ -11,7 +11,6 @@
 
 #include "math/rigid_transform.h"
 #include "scene/texture.h"
-#include "settings/light_choice.h"
 
 /// What the user wrote, checked and resolved: metres, radians, linear Rec. 709, double precision,
 /// every transform applied. Nothing here knows of a device.
@@ -140,7 +139,6 @@ struct Scene {
     Camera camera;
     FilmSettings film;
     RenderDefaults render;
-    LightChoice lightChoice = LightChoice::Power;
     glm::dvec3 background{0.0}; ///< radiance from everywhere, W/(m^2 sr)
     std::vector<Texture> textures;
     std::vector<Material> materials;

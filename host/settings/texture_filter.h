@@ -7,4 +7,9 @@ namespace calotype {
 /// How a texture is read between the centres of its texels.
 enum class TextureFilter : uint8_t { Bilinear, Nearest };
 
+/// As users spell it.
+inline const char* nameOf(TextureFilter filter) {
+    return filter == TextureFilter::Nearest ? "nearest" : "bilinear";
+}
+
 } // namespace calotype

@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "settings/light_choice.h"
+
 namespace calotype {
 
 /// How light is looked for along a path. All but the clamp leave the expected picture as it is.
@@ -14,6 +16,8 @@ struct TransportSettings {
     /// The most that one contribution of light scattered twice or more may bring in any channel,
     /// W/(m^2 sr); infinite for no limit. It darkens the picture.
     float indirectClamp = std::numeric_limits<float>::infinity();
+
+    LightChoice lightChoice = LightChoice::Power;
 
     bool clampsIndirect() const { return indirectClamp < std::numeric_limits<float>::infinity(); }
 };

@@ -128,7 +128,7 @@ private:
 
     std::string facts() const {
         const Reference& reference = *study_.reference;
-        const RenderSettings& render = study_.usual.render;
+        const RenderSettings& render = study_.usual;
         std::string words = "Rendered by " + escaped(origin_.device) + " at " +
                             std::to_string(render.width) + " x " + std::to_string(render.height) +
                             " pixels, " + std::to_string(render.maxBounces) +

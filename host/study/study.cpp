@@ -7,8 +7,7 @@
 
 #include "base/error.h"
 #include "base/stopwatch.h"
-#include "render/adaptive_session.h"
-#include "render/render_session.h"
+#include "engine/make_session.h"
 #include "settings/limits.h"
 
 namespace calotype {
@@ -28,16 +27,13 @@ constexpr double kYardstickShare = 0.15;
 /// A variant samples for at least this part of its share of the time, however long its preparation.
 constexpr double kLeastShare = 0.2;
 
-double pixelsOf(const StudySettings& settings) {
-    return static_cast<double>(settings.render.width) * settings.render.height;
+double pixelsOf(const RenderSettings& settings) {
+    return static_cast<double>(settings.width) * settings.height;
 }
 
 std::unique_ptr<Session> makeSession(const PreparedTracer& prepared,
-                                     const StudySettings& settings) {
-    if (settings.adapts)
-        return std::make_unique<AdaptiveSession>(*prepared.tracer, settings.render,
-                                                 prepared.maxRadiance);
-    return std::make_unique<RenderSession>(*prepared.tracer, settings.render, prepared.maxRadiance);
+                                     const RenderSettings& settings) {
+    return calotype::makeSession(*prepared.tracer, settings, prepared.maxRadiance);
 }
 
 class StudyRun {
@@ -45,7 +41,7 @@ public:
     StudyRun(const StudyPlan& plan, const PrepareTracer& prepare, const StudyObserver& observer)
         : plan_(plan), prepare_(prepare), observer_(observer) {
         study_.usual = plan.usual;
-        study_.usual.render.samplesPerPixel = kMostSamplesPerPixel;
+        study_.usual.samplesPerPixel = kMostSamplesPerPixel;
     }
 
     Study run() {
@@ -85,7 +81,7 @@ private:
 
     /// Chooses a picture so small that the reference gets kReferenceSamples.
     void chooseSize() {
-        StudySettings small = study_.usual;
+        RenderSettings small = study_.usual;
         const double whole = pixelsOf(small);
         resize(small, std::min(whole, kLeastPixels));
         const PreparedTracer prepared = prepare_(small);
@@ -100,20 +96,19 @@ private:
     }
 
     /// Keeps the aspect ratio.
-    static void resize(StudySettings& settings, double pixels) {
-        RenderSettings& render = settings.render;
+    static void resize(RenderSettings& settings, double pixels) {
         const double shrink = std::sqrt(pixels / pixelsOf(settings));
         const auto scaled = [&](uint32_t side) {
             return std::max(1u, static_cast<uint32_t>(std::lround(side * std::min(1.0, shrink))));
         };
-        render.width = scaled(render.width);
-        render.height = scaled(render.height);
-        render.crop = {0, 0, render.width, render.height};
+        settings.width = scaled(settings.width);
+        settings.height = scaled(settings.height);
+        settings.crop = {0, 0, settings.width, settings.height};
     }
 
     void renderReference() {
-        StudySettings settings = study_.usual;
-        settings.render.seed += 1; // no random numbers in common with the variants
+        RenderSettings settings = study_.usual;
+        settings.seed += 1; // no random numbers in common with the variants
         const Clock::time_point before = Clock::now();
         const PreparedTracer prepared = prepare_(settings);
         prepareSeconds_ = secondsSince(before);
@@ -146,7 +141,7 @@ private:
             if (measurement.variant.isOneChange && isImprovement(measurement))
                 better.push_back(measurement.variant);
         if (better.size() > 1)
-            take(together(better), left);
+            take(together(study_.usual, better), left);
     }
 
     /// Measures a variant; all get the same time. `left`: variants to come, including this one.
@@ -250,7 +245,7 @@ private:
 
     /// None if the user stopped it: incomplete measurements do not count.
     std::optional<Measurement> measure(const Variant& variant, double seconds) {
-        const StudySettings settings = variant.settings(study_.usual);
+        const RenderSettings settings = variant.settings(study_.usual);
         const PreparedTracer prepared = prepare_(settings);
         const auto session = makeSession(prepared, settings);
         Measurement measurement;

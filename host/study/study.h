@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/block_tracer.h"
+#include "settings/render_settings.h"
 #include "study/measurement.h"
 #include "study/reference.h"
 #include "study/variant.h"
@@ -22,13 +23,13 @@ struct PreparedTracer {
     double compileSeconds = 0.0;
     std::function<void()> finish = {}; ///< called after the render; throws errors that it found
 };
-using PrepareTracer = std::function<PreparedTracer(const StudySettings&)>;
+using PrepareTracer = std::function<PreparedTracer(const RenderSettings&)>;
 
 /// A PrepareTracer may throw this if the user stops the study.
 struct StudyStopped {};
 
 struct StudyPlan {
-    StudySettings usual;      ///< those of the scene, at its size
+    RenderSettings usual;     ///< those of the scene, at its size
     double seconds = 0.0;     ///< budget of the whole study
     bool keepsSize = false;   ///< false: the picture may be made smaller to fit the budget
     bool isReference = false; ///< uses the reference tracer: no kernel, and only one kind of tree
@@ -57,8 +58,8 @@ enum class StudyEnding : uint8_t {
 
 /// The results of a study.
 struct Study {
-    StudySettings usual; ///< at the picture size of the study
-    double scale = 1.0;  ///< pixels at the scene's own size over pixels of the study's pictures
+    RenderSettings usual; ///< at the picture size of the study
+    double scale = 1.0;   ///< pixels at the scene's own size over pixels of the study's pictures
     std::optional<Reference> reference;
     std::vector<Measurement> measurements; ///< the usual settings first
     std::vector<FailedVariant> failures;

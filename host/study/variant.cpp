@@ -1,8 +1,11 @@
 #include "study/variant.h"
 
+#include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 #include "base/number_text.h"
+#include "settings/settings_table.h"
 
 namespace calotype {
 namespace {
@@ -10,41 +13,51 @@ namespace {
 constexpr uint32_t kBouncesOfBasicPathTracing = 4;
 
 Variant fewerBounces(uint32_t bounces) {
-    return {std::to_string(bounces) + (bounces == 1 ? " bounce" : " bounces"),
-            "--max-bounces " + std::to_string(bounces), true,
-            [bounces](StudySettings& settings) { settings.render.maxBounces = bounces; }};
+    return {std::to_string(bounces) + (bounces == 1 ? " bounce" : " bounces"), "", true,
+            [bounces](RenderSettings& settings) { settings.maxBounces = bounces; }};
 }
 
 /// The radiance is rounded to two digits, so that users can type it.
 Variant clampAt(double radiance) {
     const std::string text = shortNumber(radiance, 2);
     const float typed = std::strtof(text.c_str(), nullptr);
-    return {"indirect light clamped at " + text, "--clamp-indirect " + text, true,
-            [typed](StudySettings& settings) { settings.render.transport.indirectClamp = typed; }};
+    return {"indirect light clamped at " + text, "", true,
+            [typed](RenderSettings& settings) { settings.transport.indirectClamp = typed; }};
+}
+
+Variant basicPathTracing(const RenderSettings& usual) {
+    return {"basic path tracing", "", usual.maxBounces > kBouncesOfBasicPathTracing,
+            [](RenderSettings& settings) {
+                settings.sampler = Sampler::Independent;
+                settings.transport.usesRoulette = false;
+                settings.transport.usesMis = false;
+                settings.maxBounces = std::min(settings.maxBounces, kBouncesOfBasicPathTracing);
+            },
+            false};
 }
 
 } // namespace
 
-std::vector<Variant> variantsOf(const StudySettings& usual, double mean, bool isReference) {
+std::vector<Variant> variantsOf(const RenderSettings& usual, double mean, bool isReference) {
     std::vector<Variant> variants = {
         {"the default", "", false, {}},
-        {"adaptive sampling", "--adaptive", false,
-         [](StudySettings& settings) { settings.adapts = true; }},
-        {"independent samples", "--sampler independent", false,
-         [](StudySettings& settings) { settings.render.sampler = Sampler::Independent; }},
-        {"no Russian roulette", "--roulette off", false,
-         [](StudySettings& settings) { settings.render.transport.usesRoulette = false; }},
-        {"light sampling only", "--mis off", false,
-         [](StudySettings& settings) { settings.render.transport.usesMis = false; }},
-        {"lights chosen uniformly", "--light-choice uniform", false,
-         [](StudySettings& settings) { settings.lightChoice = LightChoice::Uniform; }}};
+        {"adaptive sampling", "", false,
+         [](RenderSettings& settings) { settings.isAdaptive = true; }},
+        {"independent samples", "", false,
+         [](RenderSettings& settings) { settings.sampler = Sampler::Independent; }},
+        {"no Russian roulette", "", false,
+         [](RenderSettings& settings) { settings.transport.usesRoulette = false; }},
+        {"light sampling only", "", false,
+         [](RenderSettings& settings) { settings.transport.usesMis = false; }},
+        {"lights chosen uniformly", "", false,
+         [](RenderSettings& settings) { settings.transport.lightChoice = LightChoice::Uniform; }}};
     if (!isReference) {
-        variants.push_back({"BVH by median splits", "--bvh median", false,
-                            [](StudySettings& settings) { settings.bvh = BvhBuilder::Median; }});
+        variants.push_back({"BVH by median splits", "", false,
+                            [](RenderSettings& settings) { settings.bvh = BvhBuilder::Median; }});
         variants.push_back({"kernel with all features", "", false,
-                            [](StudySettings& settings) { settings.compilesEverything = true; }});
+                            [](RenderSettings& settings) { settings.compilesEverything = true; }});
     }
-    const uint32_t bounces = usual.render.maxBounces;
+    const uint32_t bounces = usual.maxBounces;
     if (bounces >= 2)
         variants.push_back(fewerBounces(bounces / 2));
     if (bounces >= 4)
@@ -53,32 +66,19 @@ std::vector<Variant> variantsOf(const StudySettings& usual, double mean, bool is
         variants.push_back(clampAt(10.0 * mean));
         variants.push_back(clampAt(mean));
     }
-    variants.push_back({"basic path tracing",
-                        "--sampler independent --roulette off --mis off --max-bounces " +
-                            std::to_string(std::min(bounces, kBouncesOfBasicPathTracing)),
-                        bounces > kBouncesOfBasicPathTracing,
-                        [](StudySettings& settings) {
-                            RenderSettings& render = settings.render;
-                            render.sampler = Sampler::Independent;
-                            render.transport.usesRoulette = false;
-                            render.transport.usesMis = false;
-                            render.maxBounces =
-                                std::min(render.maxBounces, kBouncesOfBasicPathTracing);
-                        },
-                        false});
+    variants.push_back(basicPathTracing(usual));
+    for (Variant& variant : variants)
+        variant.options = optionsBetween(usual, variant.settings(usual));
     return variants;
 }
 
-Variant together(const std::vector<Variant>& variants) {
-    Variant all{"all improvements together", "", false, [variants](StudySettings& settings) {
+Variant together(const RenderSettings& usual, const std::vector<Variant>& variants) {
+    Variant all{"all improvements together", "", false, [variants](RenderSettings& settings) {
                     for (const Variant& variant : variants)
                         variant.change(settings);
                 }};
-    for (const Variant& variant : variants) {
-        if (!variant.options.empty())
-            all.options += (all.options.empty() ? "" : " ") + variant.options;
-        all.losesLight = all.losesLight || variant.losesLight;
-    }
+    all.options = optionsBetween(usual, all.settings(usual));
+    all.losesLight = std::ranges::any_of(variants, &Variant::losesLight);
     return all;
 }
 

@@ -13,9 +13,10 @@
 #include <embree3/rtcore.h>
 #include <nlohmann/json.hpp>
 
-#include "cli/bench_report.h"
-#include "cli/bench_scene.h"
-#include "cli/device_engine.h"
+#include "engine/bench.h"
+#include "engine/bench_scene.h"
+#include "engine/device_engine.h"
+#include "engine/scene_settings.h"
 #include "render/ray_list.h"
 
 namespace {
@@ -168,12 +169,13 @@ nlohmann::ordered_json compare(const Workload& workload, const DeviceEngine& eng
 int main(int argc, char** argv) {
     const auto rounds = static_cast<uint32_t>(argc > 1 ? std::atoi(argv[1]) : 7);
     const Scene scene = makeBenchScene();
-    RenderSettings settings{scene.film.width, scene.film.height, {}, 1, 3, 0};
-    settings.crop = {0, 0, settings.width, settings.height};
+    RenderSettings settings = defaultSettings(scene);
+    settings.samplesPerPixel = 3;
+    settings.maxBounces = 0;
+    settings.sampler = Sampler::Independent;
+    settings.bvh = BvhBuilder::Sah;
     StageSeconds seconds;
-    const DeviceEngine engine(
-        {}, scene, {settings, false, BvhBuilder::Sah, false, [](const std::string&, double) {}},
-        seconds);
+    const DeviceEngine engine({}, scene, {settings}, seconds);
     const EmbreeScene embree(engine.packed().triangles);
     const std::vector<Workload> workloads = {{"primary", {RayKind::afterBounces(0)}},
                                              {"path",

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/bench_report.h"
+#include "engine/bench.h"
 #include "support/feature_cases.h"
 #include "support/render_scene.h"
 

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <variant>
 
-#include "cli/bench_scene.h"
+#include "engine/bench_scene.h"
 
 namespace {
 

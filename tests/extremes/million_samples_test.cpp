@@ -36,6 +36,7 @@ LongRender render(const Scene& scene, uint32_t samples) {
     settings.width = settings.height = 1;
     settings.crop = {0, 0, 1, 1};
     settings.maxBounces = scene.render.maxBounces;
+    settings.sampler = Sampler::Independent;
     DeviceTracer device(scene, settings);
     LongRender result{Film(1, 1, filmUnit(device.packed().maxRadiance)), {}};
     for (uint32_t first = 0; first < samples; first += shared::kSamplesPerBlock) {

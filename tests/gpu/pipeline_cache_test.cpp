@@ -29,7 +29,7 @@ protected:
 
     /// Opens a device, which reads the cache, and stores what it holds.
     static void openAndStore() {
-        const Instance instance;
+        const Instance instance(true);
         const Device device(instance, std::to_string(testDevice().info().index));
         device.pipelineCache().store();
         EXPECT_TRUE(instance.validationMessages().empty());

@@ -19,6 +19,7 @@ protected:
     RayListTest() : packed_(packAsProgram(floorAndLamp()).packed), buffers_(testDevice(), packed_) {
         settings_.width = kWidth;
         settings_.height = kHeight;
+        settings_.sampler = Sampler::Independent;
     }
 
     std::vector<shared::ListedRay> list(RayKind kind) const {

@@ -141,11 +141,11 @@ TEST_F(JudgedScenesTest, PathsOfEveryTransportAreTheSame) {
     for (const char* path :
          {"scenes/cornell-box.json", "scenes/dielectric.json", "scenes/background.json"})
         for (const LightChoice choice : {LightChoice::Power, LightChoice::Uniform})
-            for (const TransportSettings& transport :
+            for (TransportSettings transport :
                  {TransportSettings{}, lightsOnly, wholePaths, clamped}) {
                 Scene scene = projectScene(path);
                 scene.render.maxBounces = 24;
-                scene.lightChoice = choice;
+                transport.lightChoice = choice;
                 Judged judged(scene, kSide, Sampler::Independent, transport);
                 // Five times as many events as in the judged scenes, as many roundings.
                 EXPECT_LE(differingShare(judged.device(), judged.reference()), 2.5e-3) << path;

@@ -4,7 +4,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "accel/build_bvh.h"
+#include "engine/compile_scene.h"
 #include "image/judged_scenes.h"
 #include "render/first_hit_pass.h"
 #include "render/reference_first_hits.h"
@@ -15,12 +15,9 @@
 namespace calotype::test {
 namespace {
 
-FirstHitImage deviceFirstHits(const Scene& scene, const RenderSettings& settings) {
-    const glm::dvec3 origin = packingOrigin(scene);
-    const auto primitives = collectPrimitives(scene, origin);
-    const GpuScene packed =
-        packScene(scene, primitives, buildBvh(primitives), origin,
-                  static_cast<double>(settings.width) / settings.height, {.allUvs = true});
+FirstHitImage deviceFirstHits(const Scene& scene, RenderSettings settings) {
+    settings.bvh = BvhBuilder::Sah;
+    const GpuScene packed = compileScene(scene, settings, {.allUvs = true}).packed;
     const SceneBuffers buffers(testDevice(), packed);
     return FirstHitPass(testDevice(), packed, buffers, packed.features, settings).run();
 }

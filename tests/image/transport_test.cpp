@@ -86,24 +86,26 @@ TEST_F(TransportTest, SamplingLightsAloneKeepsThePicture) {
 TEST_F(TransportTest, ChoosingLightsAlikeKeepsThePicture) {
     for (const char* path : {"scenes/cornell-box.json", "tests/image/scenes/lanterns.json"}) {
         SCOPED_TRACE(path);
-        Scene scene = projectScene(path);
-        const TileMeans byPower = means(scene, {}, 5);
-        scene.lightChoice = LightChoice::Uniform;
-        expectSamePicture(byPower, means(scene, {}, 6));
+        const Scene scene = projectScene(path);
+        TransportSettings uniform;
+        uniform.lightChoice = LightChoice::Uniform;
+        expectSamePicture(means(scene, {}, 5), means(scene, uniform, 6));
     }
 }
 
 // The reference tracer can sample all lights at each event; the expected picture is the same.
 TEST_F(TransportTest, AskingAllLightsKeepsThePicture) {
     constexpr uint32_t kSmall = 16;
-    Scene scene = projectScene("tests/image/scenes/lanterns.json");
+    const Scene scene = projectScene("tests/image/scenes/lanterns.json");
     const RenderSettings settings = squareSettings(scene, kSmall, 8);
+    TransportSettings allLights;
+    allLights.lightChoice = LightChoice::All;
     const auto referenceMeans = [&] {
-        const reference::ReferenceTracer tracer(scene, {kSmall, kSmall}, settings.maxBounces);
+        const reference::ReferenceTracer tracer(scene, {kSmall, kSmall}, settings.maxBounces,
+                                                allLights);
         ReferenceBlock block(tracer, settings, 2);
         return renderTileMeans(block, kSmall, kSmall, kBlocks);
     };
-    scene.lightChoice = LightChoice::All;
     const TileMeans all = referenceMeans();
     DeviceTracer device(scene, squareSettings(scene, kSmall, 9));
     expectSamePicture(all, renderTileMeans(device.tracer(), kSmall, kSmall, kBlocks));

@@ -71,7 +71,7 @@ TEST(FolderOrderTest, HostIncludesOnlyToTheLeft) {
     const FolderOrder order = {"base",      "math",   "shared",    "image", "settings",
                                "scene",     "mesh",   "materials", "check", "read",
                                "accel",     "pack",   "gpu",       "film",  "kernels",
-                               "reference", "render", "study",     "cli"};
+                               "reference", "render", "engine",    "study", "cli"};
     expectOrder(kRoot / "host", order);
     EXPECT_GT(filesBelow(kRoot / "host").size(), 50u);
 }
@@ -102,7 +102,7 @@ TEST(FolderOrderTest, IncludesStartAtARootAndAreQuoted) {
     static const std::regex evasive(
         R"re(^\s*#\s*include\s*("\.|"[^"]*/\.\./|<(base|math|image|shared|settings)/))re"
         R"re(|^\s*#\s*include\s*<(scene|mesh|materials|check|read|accel|pack|gpu)/)re"
-        R"re(|^\s*#\s*include\s*<(film|kernels|reference|render|study|cli)/)re");
+        R"re(|^\s*#\s*include\s*<(film|kernels|reference|render|engine|study|cli)/)re");
     for (const char* folder : {"host", "shaders", "tests"})
         for (const fs::path& file : filesBelow(kRoot / folder))
             for (const std::string& line : linesOf(file))

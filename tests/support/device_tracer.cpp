@@ -1,16 +1,15 @@
 #include "support/device_tracer.h"
 
-#include "accel/build_bvh.h"
+#include "engine/compile_scene.h"
 #include "support/gpu_test.h"
 
 namespace calotype::test {
 namespace {
 
-GpuScene pack(const Scene& scene, const RenderSettings& settings) {
-    const glm::dvec3 origin = packingOrigin(scene);
-    const auto primitives = collectPrimitives(scene, origin);
-    return packScene(scene, primitives, buildBvh(primitives), origin,
-                     static_cast<double>(settings.width) / settings.height);
+/// With the tree of the surface area heuristic, however few samples the settings have.
+GpuScene pack(const Scene& scene, RenderSettings settings) {
+    settings.bvh = BvhBuilder::Sah;
+    return compileScene(scene, settings).packed;
 }
 
 } // namespace
@@ -22,6 +21,7 @@ RenderSettings squareSettings(const Scene& scene, uint32_t side, uint32_t seed) 
     settings.crop = {0, 0, side, side};
     settings.maxBounces = scene.render.maxBounces;
     settings.seed = seed;
+    settings.sampler = Sampler::Independent;
     return settings;
 }
 

@@ -3,7 +3,7 @@
 #include <functional>
 #include <optional>
 
-#include "accel/build_bvh.h"
+#include "engine/compile_scene.h"
 #include "render/first_hit_pass.h"
 #include "scene/scene.h"
 #include "support/gpu_test.h"
@@ -29,13 +29,9 @@ inline FirstHits firstHitsOf(const Scene& scene, const FirstHitWish& wish = {}) 
     settings.width = scene.film.width;
     settings.height = scene.film.height;
     settings.crop = wish.crop.value_or(Crop{0, 0, settings.width, settings.height});
-    const glm::dvec3 origin = packingOrigin(scene);
-    const auto primitives = collectPrimitives(scene, origin);
-    const Bvh bvh = buildBvh(primitives);
+    settings.bvh = BvhBuilder::Sah;
     FirstHits result;
-    result.packed =
-        packScene(scene, primitives, bvh, origin,
-                  static_cast<double>(settings.width) / settings.height, {.allUvs = true});
+    result.packed = compileScene(scene, settings, {.allUvs = true}).packed;
     const SceneBuffers buffers(testDevice(), result.packed);
     FirstHitPass pass(testDevice(), result.packed, buffers,
                       wish.features.value_or(result.packed.features), settings);

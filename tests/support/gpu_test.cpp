@@ -6,17 +6,15 @@ namespace calotype::test {
 namespace {
 
 const Instance& testInstance() {
-    static const Instance instance = [] {
-        setenv("CALOTYPE_VALIDATION", "1", 1);
-        return Instance();
-    }();
+    static const Instance instance(true);
     return instance;
 }
 
 } // namespace
 
 const Device& testDevice() {
-    static const Device device(testInstance(), "");
+    const char* wish = std::getenv("CALOTYPE_DEVICE");
+    static const Device device(testInstance(), wish ? wish : "", "CALOTYPE_DEVICE");
     return device;
 }
 

@@ -2,10 +2,11 @@
 
 #include <array>
 #include <map>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
-#include "accel/build_bvh.h"
+#include "engine/compile_scene.h"
 
 namespace calotype::test {
 namespace {
@@ -122,12 +123,11 @@ Mesh cubeMesh(uint32_t n) {
 }
 
 PackedScene packAsProgram(const Scene& scene) {
-    const glm::dvec3 origin = packingOrigin(scene);
-    PackedScene result;
-    result.primitives = collectPrimitives(scene, origin);
-    result.bvh = buildBvh(result.primitives);
-    result.packed = packScene(scene, result.primitives, result.bvh, origin, 1.0);
-    return result;
+    RenderSettings settings;
+    settings.width = settings.height = 1;
+    settings.bvh = BvhBuilder::Sah;
+    CompiledScene compiled = compileScene(scene, settings);
+    return {std::move(compiled.primitives), std::move(compiled.bvh), std::move(compiled.packed)};
 }
 
 } // namespace calotype::test

@@ -26,23 +26,22 @@ namespace {
 /// Samples of known spread about 1, which take a made-up time.
 class NoiseTracer : public BlockTracer {
 public:
-    explicit NoiseTracer(const StudySettings& settings)
-        : settings_(settings),
-          sums_(size_t{settings.render.crop.width} * settings.render.crop.height) {}
+    explicit NoiseTracer(const RenderSettings& settings)
+        : settings_(settings), sums_(size_t{settings.crop.width} * settings.crop.height) {}
 
     uint32_t tileCount() const override { return 1; }
 
     void beginBlock(uint32_t firstSample, std::span<const uint8_t> isLeftOut) override {
-        random_.seed(settings_.render.seed * 7919 + firstSample +
-                     (settings_.render.sampler == Sampler::Sobol ? 0 : 1u << 30));
+        random_.seed(settings_.seed * 7919 + firstSample +
+                     (settings_.sampler == Sampler::Sobol ? 0 : 1u << 30));
         for (size_t i = 0; i < sums_.size(); ++i)
             sums_[i] = {0, 0, 0, !isLeftOut.empty() && isLeftOut[i] ? 16.0f : 0.0f};
     }
 
     shared::RenderCounters renderTiles(TileRange, uint32_t sampleEnd) override {
         shared::RenderCounters counters{};
-        const bool isNoisy = settings_.render.sampler == Sampler::Independent;
-        const float mean = settings_.render.maxBounces < 8 ? 0.8f : 1.0f;
+        const bool isNoisy = settings_.sampler == Sampler::Independent;
+        const float mean = settings_.maxBounces < 8 ? 0.8f : 1.0f;
         std::normal_distribution<float> noise(mean, isNoisy ? 0.4f : 0.2f);
         for (glm::vec4& sum : sums_)
             for (; sum.w < static_cast<float>(sampleEnd); ++counters.paths)
@@ -53,23 +52,23 @@ public:
     std::span<const glm::vec4> readBlock() override { return sums_; }
 
 private:
-    StudySettings settings_;
+    RenderSettings settings_;
     std::vector<glm::vec4> sums_;
     std::mt19937 random_;
 };
 
 StudyPlan planOf(double seconds) {
     StudyPlan plan;
-    plan.usual.render.width = plan.usual.render.height = 64;
-    plan.usual.render.crop = {0, 0, 64, 64};
-    plan.usual.render.maxBounces = 8;
-    plan.usual.render.sampler = Sampler::Sobol;
+    plan.usual.width = plan.usual.height = 64;
+    plan.usual.crop = {0, 0, 64, 64};
+    plan.usual.maxBounces = 8;
+    plan.usual.sampler = Sampler::Sobol;
     plan.seconds = seconds;
     plan.keepsSize = true;
     return plan;
 }
 
-const PrepareTracer kPrepare = [](const StudySettings& settings) {
+const PrepareTracer kPrepare = [](const RenderSettings& settings) {
     const auto tracer = std::make_shared<NoiseTracer>(settings);
     return PreparedTracer{tracer, tracer.get(), 4.0, 0.01, 0.02};
 };
@@ -83,19 +82,20 @@ std::unique_ptr<RenderSession> noiseSession(NoiseTracer& tracer, const RenderSet
 
 // From a reference of twice its samples a picture is a fifth further away than its error.
 TEST(StudyReference, TakesOffItsOwnError) {
-    StudySettings settings;
-    settings.render.width = settings.render.height = 64;
-    settings.render.crop = {0, 0, 64, 64};
-    settings.render.maxBounces = 8;
-    settings.render.samplesPerPixel = 256;
+    RenderSettings settings;
+    settings.sampler = Sampler::Independent;
+    settings.width = settings.height = 64;
+    settings.crop = {0, 0, 64, 64};
+    settings.maxBounces = 8;
+    settings.samplesPerPixel = 256;
     NoiseTracer referenceTracer(settings);
-    const auto referenceSession = noiseSession(referenceTracer, settings.render);
+    const auto referenceSession = noiseSession(referenceTracer, settings);
     const Reference reference(*referenceSession);
     EXPECT_NEAR(reference.error, 1.96 * 0.4 / 16.0, 0.003);
-    settings.render.seed = 1;
-    settings.render.samplesPerPixel = 128;
+    settings.seed = 1;
+    settings.samplesPerPixel = 128;
     NoiseTracer tracer(settings);
-    const auto session = noiseSession(tracer, settings.render);
+    const auto session = noiseSession(tracer, settings);
     EXPECT_NEAR(reference.errorOf(session->picture()).value(), 1.96 * 0.4 / std::sqrt(128.0),
                 0.003);
     EXPECT_FALSE(reference.errorOf(reference.picture)) << "nearer than its own error";
@@ -114,16 +114,16 @@ TEST(TimedStudy, MeasuresWhatIsThere) {
         SCOPED_TRACE(measurement.variant.name);
         EXPECT_EQ(measurement.buildSeconds, 0.01);
         EXPECT_EQ(measurement.compileSeconds, 0.02);
-        const StudySettings settings = measurement.variant.settings(study.usual);
-        if (measurement.variant.losesLight && settings.render.maxBounces < 8) {
+        const RenderSettings settings = measurement.variant.settings(study.usual);
+        if (measurement.variant.losesLight && settings.maxBounces < 8) {
             EXPECT_NEAR(measurement.brighter, -0.2, 0.01);
             EXPECT_NEAR(measurement.floor().value(), 1.96 * 0.2, 0.02);
             continue;
         }
         EXPECT_LT(std::abs(measurement.brighter), 4.0 * measurement.brighterError);
-        if (settings.adapts)
+        if (settings.isAdaptive)
             continue;
-        const double sigma = settings.render.sampler == Sampler::Independent ? 0.4 : 0.2;
+        const double sigma = settings.sampler == Sampler::Independent ? 0.4 : 0.2;
         for (const CurvePoint& point : measurement.curve)
             if (point.error && point.samples <= 64 && ++compared > 0) {
                 const double truth = 1.96 * sigma / std::sqrt(point.samples);
@@ -138,7 +138,7 @@ TEST(TimedStudy, MeasuresWhatIsThere) {
 /// Takes its time over every pass: three times as much once `isSlow`.
 class SleepyTracer : public NoiseTracer {
 public:
-    SleepyTracer(const StudySettings& settings, const std::function<bool()>& isSlow)
+    SleepyTracer(const RenderSettings& settings, const std::function<bool()>& isSlow)
         : NoiseTracer(settings), isSlow_(isSlow) {}
 
     shared::RenderCounters renderTiles(TileRange tiles, uint32_t sampleEnd) override {
@@ -153,13 +153,13 @@ private:
 // A machine that gets slow half way through the variants does not make the later ones slow.
 TEST(TimedStudy, CorrectsForTheMachinesPace) {
     StudyPlan plan = planOf(8.0);
-    plan.usual.render.width = plan.usual.render.height = 16;
-    plan.usual.render.crop = {0, 0, 16, 16};
+    plan.usual.width = plan.usual.height = 16;
+    plan.usual.crop = {0, 0, 16, 16};
     const auto start = std::chrono::steady_clock::now();
     const std::function<bool()> isSlow = [&] {
         return std::chrono::steady_clock::now() - start > std::chrono::milliseconds(5600);
     };
-    const PrepareTracer prepare = [&](const StudySettings& settings) {
+    const PrepareTracer prepare = [&](const RenderSettings& settings) {
         const auto tracer = std::make_shared<SleepyTracer>(settings, isSlow);
         return PreparedTracer{tracer, tracer.get(), 4.0};
     };
@@ -174,7 +174,7 @@ TEST(TimedStudy, CorrectsForTheMachinesPace) {
 /// Throws from the moment that `fails` says so.
 class FailingTracer : public NoiseTracer {
 public:
-    FailingTracer(const StudySettings& settings, const std::function<bool()>& fails)
+    FailingTracer(const RenderSettings& settings, const std::function<bool()>& fails)
         : NoiseTracer(settings), fails_(fails) {}
 
     void beginBlock(uint32_t firstSample, std::span<const uint8_t> isLeftOut) override {
@@ -189,7 +189,7 @@ private:
 
 // What one setting cannot do is no reason to lose the others.
 TEST(TimedStudy, GoesOnWhereAVariantFails) {
-    const PrepareTracer prepare = [](const StudySettings& settings) {
+    const PrepareTracer prepare = [](const RenderSettings& settings) {
         if (settings.bvh == BvhBuilder::Median)
             throw GpuError("the device was lost.");
         return kPrepare(settings);
@@ -204,7 +204,7 @@ TEST(TimedStudy, GoesOnWhereAVariantFails) {
               std::string::npos);
     // Where the pace cannot be measured any more, from the third variant on.
     int prepared = 0;
-    const PrepareTracer failing = [&](const StudySettings& settings) {
+    const PrepareTracer failing = [&](const RenderSettings& settings) {
         const bool isYardstick = ++prepared == 2;
         const auto tracer = std::make_shared<FailingTracer>(
             settings, [&prepared, isYardstick] { return isYardstick && prepared >= 5; });
@@ -215,7 +215,7 @@ TEST(TimedStudy, GoesOnWhereAVariantFails) {
     ASSERT_EQ(lost.measurements.size(), 2u);
     for (const Measurement& measurement : lost.measurements)
         EXPECT_NEAR(measurement.pace, 1.0, 0.5);
-    const PrepareTracer never = [](const StudySettings&) -> PreparedTracer {
+    const PrepareTracer never = [](const RenderSettings&) -> PreparedTracer {
         throw GpuError("the device was lost.");
     };
     EXPECT_THROW(runStudy(planOf(3.0), never, kPatient), GpuError);
@@ -223,7 +223,7 @@ TEST(TimedStudy, GoesOnWhereAVariantFails) {
 
 // Preparations that take far longer than the budget has for them.
 TEST(TimedStudy, EndsWithItsBudget) {
-    const PrepareTracer slow = [](const StudySettings& settings) {
+    const PrepareTracer slow = [](const RenderSettings& settings) {
         std::this_thread::sleep_for(std::chrono::milliseconds(400));
         return kPrepare(settings);
     };
@@ -261,7 +261,7 @@ TEST(TimedStudy, SaysWhyThereIsNothingToStudy) {
         }
         return "";
     };
-    const PrepareTracer black = [](const StudySettings& settings) {
+    const PrepareTracer black = [](const RenderSettings& settings) {
         const auto tracer = std::make_shared<BlackTracer>(settings);
         return PreparedTracer{tracer, tracer.get(), 4.0};
     };
@@ -271,8 +271,8 @@ TEST(TimedStudy, SaysWhyThereIsNothingToStudy) {
 
 // The user stops it while a variant is being prepared.
 TEST(TimedStudy, StopsInAPreparation) {
-    const PrepareTracer prepare = [](const StudySettings& settings) {
-        if (!settings.render.transport.usesRoulette)
+    const PrepareTracer prepare = [](const RenderSettings& settings) {
+        if (!settings.transport.usesRoulette)
             throw StudyStopped();
         return kPrepare(settings);
     };

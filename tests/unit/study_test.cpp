@@ -156,8 +156,8 @@ TEST(StudyAdvice, ChoosesWhatIsSoonestThere) {
 }
 
 TEST(StudyVariants, ChangeOneThingEach) {
-    StudySettings usual;
-    usual.render.maxBounces = 12;
+    RenderSettings usual;
+    usual.maxBounces = 12;
     const std::vector<Variant> variants = variantsOf(usual, 0.5);
     EXPECT_EQ(variants.front().options, "");
     std::vector<std::string> options;
@@ -173,10 +173,10 @@ TEST(StudyVariants, ChangeOneThingEach) {
     for (const Variant& variant : ofReference)
         EXPECT_TRUE(variant.name == "the default" ||
                     (!variant.options.empty() && variant.options != "--bvh median"));
-    const Variant both = together({variants[1], variants[2]});
+    const Variant both = together(usual, {variants[1], variants[2]});
     EXPECT_EQ(both.options, "--adaptive --sampler independent");
-    EXPECT_TRUE(both.settings(usual).adapts);
-    EXPECT_EQ(both.settings(usual).render.sampler, Sampler::Independent);
+    EXPECT_TRUE(both.settings(usual).isAdaptive);
+    EXPECT_EQ(both.settings(usual).sampler, Sampler::Independent);
 }
 
 TEST(StudyMarkup, IsWhatTheStandardsSay) {

@@ -1,0 +1,49 @@
+#include "engine/device_engine.h"
+
+#include <utility>
+
+#include "engine/stage_seconds.h"
+#include "render/first_hit_pass.h"
+
+namespace calotype {
+namespace {
+
+/// Sets `builder` to the one it took.
+GpuScene compile(const Scene& scene, const EngineRequest& request, BvhBuilder& builder) {
+    CompileOptions options;
+    options.allUvs = request.wantsFirstHits;
+    if (request.onProgress)
+        options.onProgress = [&](double done) { request.onProgress("building the BVH", done); };
+    CompiledScene compiled = compileScene(scene, request.settings, options);
+    builder = compiled.builder;
+    return std::move(compiled.packed);
+}
+
+/// Throws GpuError where the device has not enough.
+uint64_t requiredBytes(const Device& device, const GpuScene& packed, const EngineRequest& request) {
+    const uint64_t bytes = packed.bytes() + pathTracerBytes(device, request.settings) +
+                           (request.wantsFirstHits ? firstHitPassBytes(request.settings) : 0);
+    requireMemory(device, bytes);
+    return bytes;
+}
+
+} // namespace
+
+DeviceEngine::DeviceEngine(const DeviceOptions& options, const Scene& scene,
+                           const EngineRequest& request, StageSeconds& seconds)
+    : settings_(request.settings), session_(options),
+      packed_(timed(seconds.build, [&] { return compile(scene, request, builder_); })),
+      deviceBytes_(requiredBytes(session_.device(), packed_, request)),
+      buffers_(timed(seconds.upload, [&] { return SceneBuffers(session_.device(), packed_); })),
+      tracer_(timed(seconds.compile, [&] {
+          return PathTracer(session_.device(), packed_, buffers_, packed_.features, settings_);
+      })) {}
+
+FirstHitImage DeviceEngine::firstHits(const std::function<void(double)>& onProgress) {
+    FirstHitPass pass(session_.device(), packed_, buffers_, packed_.features, settings_);
+    FirstHitImage hits = pass.run(onProgress);
+    cutPixels_ = pass.cutPixels();
+    return hits;
+}
+
+} // namespace calotype

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "engine/compile_scene.h"
+#include "engine/device_session.h"
+#include "engine/render_engine.h"
+#include "pack/gpu_scene.h"
+#include "render/path_tracer.h"
+#include "render/scene_buffers.h"
+
+namespace calotype {
+
+/// Renders on a Vulkan device.
+class DeviceEngine : public RenderEngine {
+public:
+    /// `scene` is read by this constructor only. Throws GpuError and SceneError.
+    DeviceEngine(const DeviceOptions& options, const Scene& scene, const EngineRequest& request,
+                 StageSeconds& seconds);
+
+    BlockTracer& tracer() override { return tracer_; }
+    double maxRadiance() const override { return packed_.maxRadiance; }
+    FirstHitImage firstHits(const std::function<void(double)>& onProgress) override;
+    uint64_t cutPixels() const override { return cutPixels_; }
+    DeviceInfo info() const override { return session_.device().info(); }
+    const char* tree() const override { return nameOf(builder_); }
+    uint64_t deviceBytes() const override { return deviceBytes_; }
+    const Device& device() const { return session_.device(); }
+    const GpuScene& packed() const { return packed_; }
+    const SceneBuffers& buffers() const { return buffers_; }
+    void finish() const override { session_.throwOnValidationMessages(); }
+
+private:
+    RenderSettings settings_;
+    BvhBuilder builder_ = BvhBuilder::Sah;
+    // The device comes first: without one there is no need to build.
+    DeviceSession session_;
+    GpuScene packed_;
+    uint64_t deviceBytes_;
+    SceneBuffers buffers_;
+    PathTracer tracer_;
+    uint64_t cutPixels_ = 0;
+};
+
+} // namespace calotype

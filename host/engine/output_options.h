@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "film/display_transform.h"
+#include "film/stages.h"
+#include "image/layers.h"
+
+namespace calotype {
+
+/// When to write a preview: after so many samples, or so many seconds; 0 means never.
+struct PreviewInterval {
+    uint32_t samples = 0;
+    double seconds = 0.0;
+};
+
+/// The files that a render writes, beside its film.
+struct OutputOptions {
+    std::vector<std::string> pictures; ///< their extensions name the format
+    DisplayTransform display;          ///< of PNG
+    LayerList layers;                  ///< of EXR, beside the picture
+    StageList stages;
+    PreviewInterval previewInterval;
+    std::string previewFile; ///< empty: the first picture
+    std::string statsFile;   ///< empty: none
+};
+
+} // namespace calotype

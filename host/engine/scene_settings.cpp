@@ -1,0 +1,88 @@
+#include "engine/scene_settings.h"
+
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "base/error.h"
+#include "engine/devices.h"
+#include "image/image.h"
+#include "settings/limits.h"
+#include "shared/limits.h"
+
+namespace calotype {
+namespace {
+
+void requireWithin(const char* setting, uint64_t value, uint64_t least, uint64_t most) {
+    if (value < least || value > most)
+        throw SettingError(setting, "is " + std::to_string(value) + ", and not from " +
+                                        std::to_string(least) + " to " + std::to_string(most));
+}
+
+void requireCropInside(const RenderSettings& settings) {
+    const Crop& crop = settings.crop;
+    if (crop.width == 0 || crop.height == 0)
+        throw SettingError("crop", "is empty");
+    if (crop.x >= settings.width || crop.width > settings.width - crop.x ||
+        crop.y >= settings.height || crop.height > settings.height - crop.y)
+        throw SettingError("crop", "reaches beyond the picture of " +
+                                       std::to_string(settings.width) + "x" +
+                                       std::to_string(settings.height) + " pixels");
+}
+
+} // namespace
+
+RenderSettings defaultSettings(const Scene& scene) {
+    RenderSettings settings;
+    settings.width = scene.film.width;
+    settings.height = scene.film.height;
+    settings.crop = {0, 0, settings.width, settings.height};
+    settings.samplesPerPixel = scene.render.samplesPerPixel;
+    settings.maxBounces = scene.render.maxBounces;
+    settings.seed = scene.render.seed;
+    return settings;
+}
+
+void requireKnownTo(const DeviceOptions& device, const RenderSettings& settings) {
+    if (settings.transport.lightChoice == LightChoice::All && !isReference(device))
+        throw SettingError("light_choice",
+                           "all is known to the reference tracer only (--device reference)");
+}
+
+void requireRenderable(const RenderSettings& settings, const DeviceOptions& device) {
+    requireWithin("size", settings.width, 1, kLargestPictureSide);
+    requireWithin("size", settings.height, 1, kLargestPictureSide);
+    requireCropInside(settings);
+    requireWithin("spp", settings.samplesPerPixel, 1, kMostSamplesPerPixel);
+    requireWithin("max_bounces", settings.maxBounces, 0, kMostBounces);
+    if (settings.firstSample % shared::kSamplesPerBlock != 0 ||
+        settings.firstSample > kMostSamplesPerPixel - settings.samplesPerPixel)
+        throw SettingError("samples", "begin at no multiple of " +
+                                          std::to_string(shared::kSamplesPerBlock) +
+                                          ", or end too late");
+    if (!(settings.transport.indirectClamp > 0.0f))
+        throw SettingError("clamp_indirect", "is not above 0");
+    if (settings.targetError && !(*settings.targetError > 0.0 && *settings.targetError < 1.0))
+        throw SettingError("target_error", "is not between 0 and 1");
+    if (settings.seconds && !(*settings.seconds > 0.0))
+        throw SettingError("time", "is not above 0");
+    requireKnownTo(device, settings);
+}
+
+TextureFilterOverride::TextureFilterOverride(Scene& scene,
+                                             const std::optional<TextureFilter>& filter)
+    : textures_(scene.textures) {
+    if (!filter)
+        return;
+    before_ = textures_; // images are shared
+    for (Texture& texture : textures_)
+        if (auto* image = std::get_if<ImageTexture>(&texture.source))
+            image->filter = *filter;
+}
+
+TextureFilterOverride::~TextureFilterOverride() {
+    if (!before_.empty())
+        textures_ = std::move(before_);
+}
+
+} // namespace calotype

@@ -1,0 +1,81 @@
+#include "engine/statistics.h"
+
+#include <sys/resource.h>
+
+#include <nlohmann/json.hpp>
+
+#include "base/hexadecimal.h"
+#include "settings/settings_table.h"
+
+namespace calotype {
+
+namespace {
+
+const char* nameOf(RenderEnding ending) {
+    switch (ending) {
+    case RenderEnding::AllSamples:
+        return "samples";
+    case RenderEnding::TargetError:
+        return "target-error";
+    case RenderEnding::Deadline:
+        return "time";
+    case RenderEnding::Stopped:
+        break;
+    }
+    return "interrupt";
+}
+
+} // namespace
+
+nlohmann::ordered_json describeError(const std::optional<ErrorEstimate>& error) {
+    if (!error)
+        return nullptr;
+    nlohmann::ordered_json json;
+    json["relative"] = error->relative;
+    json["bound"] = error->upperBound();
+    json["replicas"] = error->replicas;
+    json["doubt"] = error->doubt ? nlohmann::ordered_json(*error->doubt) : nullptr;
+    json["trusted"] = error->isTrusted();
+    return json;
+}
+
+uint64_t peakMemoryBytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<uint64_t>(usage.ru_maxrss) * 1024; // Linux counts kibibytes
+}
+
+std::string toJson(const RenderStatistics& statistics) {
+    const auto& [device, settings, sceneHash, totals, ending, seconds, deviceBytes, tree] =
+        statistics;
+    nlohmann::ordered_json json;
+    json["version"] = CALOTYPE_VERSION;
+    json["device"] = device.name;
+    json["driver"] = device.driver;
+    json["scene_hash"] = hexadecimal(sceneHash);
+    json["resolution"] = {settings.width, settings.height};
+    json["spp"] = totals.samplesPerPixel;
+    json["ended_by"] = nameOf(ending);
+    json["error"] = describeError(totals.error);
+    for (const Setting& setting : settingsTable())
+        if ((setting.commands & kRenderCommand) && !json.contains(setting.name))
+            json[setting.name] = setting.value(settings);
+    json["bvh"] = tree;
+    json["seconds"] = {{"load", seconds.load},
+                       {"build", seconds.build},
+                       {"upload", seconds.upload},
+                       {"compile", seconds.compile},
+                       {"first_sample", seconds.firstSample},
+                       {"render", seconds.render},
+                       {"write", seconds.write}};
+    json["rays"] = totals.rays;
+    json["paths"] = totals.paths;
+    json["non_finite_samples"] = totals.losses.nonFiniteSamples;
+    json["cut_paths"] = totals.losses.cutPaths;
+    json["lost_blocks"] = totals.losses.lostPixels();
+    json["device_memory_bytes"] = deviceBytes;
+    json["peak_memory_bytes"] = peakMemoryBytes();
+    return json.dump(2) + "\n";
+}
+
+} // namespace calotype

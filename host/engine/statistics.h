@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "engine/stage_seconds.h"
+#include "gpu/device_info.h"
+#include "render/session.h"
+#include "settings/render_settings.h"
+
+namespace calotype {
+
+/// What is told of a render in numbers.
+struct RenderStatistics {
+    DeviceInfo device;
+    RenderSettings settings;
+    uint64_t sceneHash = 0;
+    RenderTotals totals;
+    RenderEnding ending = RenderEnding::AllSamples;
+    StageSeconds seconds;
+    uint64_t deviceBytes = 0;
+    const char* tree = ""; ///< RenderEngine::tree
+};
+
+/// The estimate's numbers, or null where there is none.
+nlohmann::ordered_json describeError(const std::optional<ErrorEstimate>& error);
+
+/// Of the process so far.
+uint64_t peakMemoryBytes();
+
+/// As JSON, with the process's peak memory.
+std::string toJson(const RenderStatistics& statistics);
+
+} // namespace calotype

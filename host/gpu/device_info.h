@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace calotype {
+
+/// A physical device as a person would want to know it.
+struct DeviceInfo {
+    uint32_t index = 0; ///< in the order of the driver loader
+    std::string name;
+    std::string type;       ///< "discrete GPU", "integrated GPU", "virtual GPU", "CPU" or "other"
+    std::string driver;     ///< name and version
+    std::string apiVersion; ///< Vulkan's, such as "1.3.230"
+    uint32_t subgroupSize = 1;
+    std::string missing; ///< what it lacks to run Calotype; empty where it can
+    int rank = 0;        ///< by type: a higher rank is preferred
+};
+
+struct DeviceChoice {
+    uint32_t index = 0;
+    std::string reason; ///< such as "the only device" or "matches --device 'nvidia'"
+};
+
+} // namespace calotype

@@ -1,0 +1,132 @@
+// The library's facade: the picture is the program's, and what is wrong is thrown.
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "engine/renderer.h"
+#include "support/gpu_test.h"
+#include "support/render_scene.h"
+#include "support/scene_builder.h"
+
+namespace calotype::test {
+namespace {
+
+constexpr double kRadiance = 2.5;
+
+/// All that the camera sees is a light.
+Scene brightWall() {
+    SceneBuilder builder;
+    builder.rectangle({-9, -9, -1}, {18, 0, 0}, {0, 18, 0}, builder.material(0.0, kRadiance));
+    return builder.scene();
+}
+
+class RendererTest : public testing::Test {
+protected:
+    DeviceOptions device_ = [] {
+        DeviceOptions options;
+        options.validates = true;
+        return options;
+    }();
+};
+
+TEST_F(RendererTest, ReadsPixelsOfASceneMadeInMemory) {
+    Renderer renderer(brightWall(), device_);
+    RenderSettings settings = renderer.defaultSettings();
+    EXPECT_EQ(settings.width, 16u);
+    settings.crop = {2, 3, 8, 4};
+    settings.samplesPerPixel = 4;
+    std::vector<double> shares;
+    RenderCallbacks callbacks;
+    callbacks.onProgress = [&](const std::string& what, double done) {
+        if (what == "rendering")
+            shares.push_back(done);
+    };
+    const RenderResult result = renderer.render(settings, callbacks);
+    EXPECT_EQ(result.width, 8u);
+    EXPECT_EQ(result.height, 4u);
+    EXPECT_EQ(result.end, RenderEnd::AllSamples);
+    EXPECT_EQ(result.samplesPerPixel, 4u);
+    EXPECT_EQ(result.pixels, std::vector<float>(3 * 8 * 4, static_cast<float>(kRadiance)));
+    ASSERT_FALSE(shares.empty());
+    EXPECT_EQ(shares.back(), 1.0);
+}
+
+// Rows run from the top, and the samples are those of the sessions below.
+TEST_F(RendererTest, GivesThePictureOfASession) {
+    const Scene scene = projectScene("scenes/cornell-box.json");
+    RenderWish wish;
+    wish.width = wish.height = 32;
+    wish.samplesPerPixel = 32;
+    wish.sampler = Sampler::Sobol;
+    const RenderedScene rendered = renderScene(scene, wish);
+    Renderer renderer(scene, device_);
+    RenderSettings settings = renderer.defaultSettings();
+    settings.width = settings.height = 32;
+    settings.crop = {0, 0, 32, 32};
+    settings.samplesPerPixel = 32;
+    settings.bvh = BvhBuilder::Sah;
+    const RenderResult result = renderer.render(settings);
+    ASSERT_EQ(result.pixels.size(), 3u * 32 * 32);
+    for (size_t i = 0; i < rendered.image.pixels.size(); ++i) {
+        ASSERT_EQ(result.pixels[3 * i], rendered.image.pixels[i].r) << i;
+        ASSERT_EQ(result.pixels[3 * i + 2], rendered.image.pixels[i].b) << i;
+    }
+    ASSERT_TRUE(result.relativeError);
+    EXPECT_GT(*result.relativeError, 0.0);
+}
+
+TEST_F(RendererTest, RendersByTheReferenceTracerToo) {
+    DeviceOptions options;
+    options.device = "reference";
+    Renderer renderer(brightWall(), options);
+    const RenderResult result = renderer.render(renderer.defaultSettings());
+    EXPECT_EQ(result.pixels, std::vector<float>(3 * 16 * 16, static_cast<float>(kRadiance)));
+}
+
+TEST_F(RendererTest, StopsWhenItIsTold) {
+    Renderer renderer(brightWall(), device_);
+    RenderSettings settings = renderer.defaultSettings();
+    settings.samplesPerPixel = 1u << 20;
+    bool hasRendered = false;
+    RenderCallbacks callbacks;
+    callbacks.onProgress = [&](const std::string& what, double) {
+        hasRendered = hasRendered || what == "rendering";
+    };
+    callbacks.shouldStop = [&] { return hasRendered; };
+    const RenderResult result = renderer.render(settings, callbacks);
+    EXPECT_EQ(result.end, RenderEnd::Stopped);
+    EXPECT_LT(result.samplesPerPixel, settings.samplesPerPixel);
+    callbacks.shouldStop = [] { return true; };
+    EXPECT_THROW(renderer.render(settings, callbacks), Interrupted);
+}
+
+TEST_F(RendererTest, ThrowsForSettingsThatMakeNoSense) {
+    Renderer renderer(brightWall(), device_);
+    const auto expectError = [&](const std::string& setting, auto change) {
+        RenderSettings settings = renderer.defaultSettings();
+        change(settings);
+        try {
+            renderer.render(settings);
+            ADD_FAILURE() << setting;
+        } catch (const SettingError& error) {
+            EXPECT_EQ(error.setting(), setting);
+        }
+    };
+    expectError("size", [](RenderSettings& s) { s.width = 0; });
+    expectError("crop", [](RenderSettings& s) { s.crop.width = 17; });
+    expectError("crop", [](RenderSettings& s) { s.crop = {}; });
+    expectError("spp", [](RenderSettings& s) { s.samplesPerPixel = 0; });
+    expectError("samples", [](RenderSettings& s) { s.firstSample = 8; });
+    expectError("max_bounces", [](RenderSettings& s) { s.maxBounces = 1u << 21; });
+    expectError("clamp_indirect", [](RenderSettings& s) { s.transport.indirectClamp = 0.0f; });
+    expectError("target_error", [](RenderSettings& s) { s.targetError = 1.5; });
+    expectError("time", [](RenderSettings& s) { s.seconds = -1.0; });
+    expectError("light_choice",
+                [](RenderSettings& s) { s.transport.lightChoice = LightChoice::All; });
+    DeviceOptions unknown;
+    unknown.device = "voodoo";
+    Renderer nowhere(brightWall(), unknown);
+    EXPECT_THROW(nowhere.render(nowhere.defaultSettings()), GpuError);
+}
+
+} // namespace
+} // namespace calotype::test
