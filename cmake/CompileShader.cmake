@@ -41,5 +41,6 @@ function(calotype_embed_kernels target)
             VERBATIM)
         target_sources(${target} PRIVATE ${header})
     endforeach()
-    target_include_directories(${target} PUBLIC ${CMAKE_CURRENT_BINARY_DIR}/${target}_spirv)
+    target_include_directories(${target} PUBLIC
+        $<BUILD_INTERFACE:${CMAKE_CURRENT_BINARY_DIR}/${target}_spirv>)
 endfunction()
