@@ -17,8 +17,8 @@ void describe(Picture& picture, const FilmLabel& label, uint64_t samplesPerPixel
     if (isKnown("size") && isKnown("crop"))
         picture.crop =
             CropPlacement{settings.crop.x, settings.crop.y, settings.width, settings.height};
-    picture.metadata = {{"version", label.setting("version")},
-                        {"sceneHash", hexadecimal(label.sceneHash)}};
+    picture.metadata.push_back({"version", label.setting("version")});
+    picture.metadata.push_back({"sceneHash", hexadecimal(label.sceneHash)});
     if (isKnown("seed")) // as a number that an int32_t could not hold
         picture.metadata.push_back({"seed", static_cast<double>(settings.seed)});
     picture.metadata.push_back({"sampler", label.setting("sampler")});
