@@ -14,14 +14,14 @@
 namespace calotype {
 namespace {
 
-double mebibytes(uint64_t bytes) { return static_cast<double>(bytes) / (1 << 20); }
+double inMebibytes(uint64_t bytes) { return static_cast<double>(bytes) / (1 << 20); }
 
 void printCounts(const SceneSummary& summary) {
     std::printf("shapes      %zu (%zu triangles, %zu quadrics and disks)\n", summary.shapes,
                 summary.triangles, summary.quadrics);
     std::printf("materials   %zu\n", summary.materials);
     std::printf("textures    %zu (%.1f MiB on the device)\n", summary.textures,
-                mebibytes(summary.textureBytes));
+                inMebibytes(summary.textureBytes));
     std::printf("lights      %u\n", summary.lights);
     std::printf("dropped     %llu triangles without area\n",
                 static_cast<unsigned long long>(summary.droppedTriangles));
@@ -44,10 +44,10 @@ void printMemory(const SceneSummary& summary, const DeviceFit& fit,
                  const RenderSettings& settings) {
     std::printf("device      %s (%s)\n", fit.device.c_str(), fit.reason.c_str());
     std::printf("memory      %.1f MiB scene + %.1f MiB picture of %ux%u, of %.0f MiB\n",
-                mebibytes(summary.sceneBytes), mebibytes(fit.pictureBytes), settings.width,
-                settings.height, mebibytes(fit.memoryBytes));
+                inMebibytes(summary.sceneBytes), inMebibytes(fit.pictureBytes), settings.width,
+                settings.height, inMebibytes(fit.memoryBytes));
     std::printf("largest     %.1f MiB in one buffer, of %.0f MiB\n",
-                mebibytes(summary.largestBytes), mebibytes(fit.bufferBytes));
+                inMebibytes(summary.largestBytes), inMebibytes(fit.bufferBytes));
 }
 
 void printFeatures(const SceneSummary& summary) {

@@ -1,4 +1,5 @@
 #include "film/error_estimate.h"
+#include "math/square.h"
 
 #include <algorithm>
 #include <array>
@@ -35,8 +36,6 @@ constexpr double kMostDoubt = 1.4;
 
 /// A spread below this share of the luminance is the rounding of float sums, not noise.
 constexpr double kRounding = 1e-6;
-
-double square(double x) { return x * x; }
 
 /// Statistics of a pixel's luminance over its replicas.
 struct PixelSpread {

@@ -10,7 +10,7 @@ namespace {
 /// Weights that add up to one in decimal may not do so in binary.
 constexpr double kRounding = 1e-9;
 
-void pack(const Material& material, shared::Material& packed) {
+void packBlinnPhong(const Material& material, shared::Material& packed) {
     packed.lobes = shared::kLobeDiffuse | shared::kLobeBlinnPhong |
                    (material.normalize ? shared::kNormalizedLobe : 0);
     packed.specular = static_cast<float>(material.ks);
@@ -23,14 +23,14 @@ bool isJudgedByWeights(const Material& material) {
 
 /// kd + 4 ks by the format's rule, else kd times the brightest colour + 4 ks, or + ks where the
 /// lobe is normalised.
-std::optional<double> excess(const Material& material, TextureRanges& textures) {
+std::optional<double> excessOfBlinnPhong(const Material& material, TextureRanges& textures) {
     const double brightest =
         isJudgedByWeights(material) ? 1.0 : brightestChannel(material, textures);
     const double specular = (material.normalize ? 1.0 : 4.0) * material.ks;
     return whereAbove(1.0 + kRounding, material.kd * brightest + specular);
 }
 
-std::string warning(const Material& material, double albedo) {
+std::string warningOfBlinnPhong(const Material& material, double albedo) {
     return "this blinn_phong can reflect " +
            (isJudgedByWeights(material)
                 ? "more light than it receives, since kd + 4 ks > 1"
@@ -56,9 +56,9 @@ MaterialKind blinnPhongKind() {
              {"normalize", FlagParameter{&Material::normalize}, 0.0,
               "Selects a form that conserves energy."}},
             true,
-            pack,
-            excess,
-            warning};
+            packBlinnPhong,
+            excessOfBlinnPhong,
+            warningOfBlinnPhong};
 }
 
 } // namespace calotype

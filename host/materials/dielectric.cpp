@@ -6,7 +6,9 @@
 namespace calotype {
 namespace {
 
-void pack(const Material&, shared::Material& packed) { packed.lobes = shared::kLobeDielectric; }
+void packDielectric(const Material&, shared::Material& packed) {
+    packed.lobes = shared::kLobeDielectric;
+}
 
 } // namespace
 
@@ -21,7 +23,7 @@ MaterialKind dielectricKind() {
              {"color", ColorParameter{&Material::color, nullptr, ranges::kShare}, 1.0,
               "A factor for light at each crossing of the boundary."}},
             false,
-            pack,
+            packDielectric,
             nullptr,
             nullptr};
 }

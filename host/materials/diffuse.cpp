@@ -6,7 +6,7 @@ namespace calotype {
 namespace {
 
 /// A black surface has no lobe, so that paths end there.
-void pack(const Material& material, shared::Material& packed) {
+void packDiffuse(const Material& material, shared::Material& packed) {
     packed.lobes = material.color == glm::dvec3(0.0) ? 0 : shared::kLobeDiffuse;
 }
 
@@ -17,7 +17,7 @@ MaterialKind diffuseKind() {
             "color / pi in every direction.",
             {texturedColor("The share of light that is reflected.")},
             true,
-            pack,
+            packDiffuse,
             nullptr,
             nullptr};
 }

@@ -6,7 +6,7 @@
 namespace calotype {
 namespace {
 
-void pack(const Material& material, shared::Material& packed) {
+void packMetal(const Material& material, shared::Material& packed) {
     packed.lobes = ggxLobe(material) | shared::kColorIsF0;
 }
 
@@ -18,7 +18,7 @@ MaterialKind metalKind() {
             {texturedColor("The share of light that is reflected at normal incidence."),
              roughnessParameter(), maskingParameter()},
             true,
-            pack,
+            packMetal,
             nullptr,
             nullptr};
 }

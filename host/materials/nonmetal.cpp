@@ -15,7 +15,7 @@ namespace {
 constexpr double kTolerance = 0.002;
 constexpr int kAngles = 20; ///< from a cosine of 1 / 20 (87 degrees) to 1
 
-void pack(const Material& material, shared::Material& packed) {
+void packNonmetal(const Material& material, shared::Material& packed) {
     packed.lobes = ggxLobe(material) | shared::kLobeDiffuse;
 }
 
@@ -23,7 +23,7 @@ void pack(const Material& material, shared::Material& packed) {
 /// of 0.04 colours from 0.88 (roughness 0) to 0.99 (roughness 0.8) exceed 1. The least F0 is
 /// taken: the albedo is linear in it, and does not exceed one at an F0 of one, so where it exceeds
 /// one at all, it falls as F0 grows.
-std::optional<double> excess(const Material& material, TextureRanges& textures) {
+std::optional<double> excessOfNonmetal(const Material& material, TextureRanges& textures) {
     const double f0 = material.specular * textures.scalars(material.specularTexture).least;
     const double diffuse = (1.0 - f0) * brightestChannel(material, textures);
     const ScalarRange share = textures.scalars(material.roughnessTexture);
@@ -38,7 +38,7 @@ std::optional<double> excess(const Material& material, TextureRanges& textures) 
     return whereAbove(1.0 + kTolerance, most);
 }
 
-std::string warning(const Material& material, double albedo) {
+std::string warningOfNonmetal(const Material& material, double albedo) {
     const bool isTextured = material.colorTexture != Material::kNoTexture ||
                             material.roughnessTexture != Material::kNoTexture ||
                             material.specularTexture != Material::kNoTexture;
@@ -61,9 +61,9 @@ MaterialKind nonmetalKind() {
           Material().specular, "F0, the share that the GGX lobe reflects at normal incidence."},
          maskingParameter()},
         true,
-        pack,
-        excess,
-        warning};
+        packNonmetal,
+        excessOfNonmetal,
+        warningOfNonmetal};
 }
 
 } // namespace calotype

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
+#include "math/square.h"
+
 namespace calotype::reference {
 namespace {
-
-double square(double x) { return x * x; }
 
 /// What a smooth boundary does to light that meets it at cosThetaI > 0.
 struct Boundary {

@@ -5,16 +5,11 @@
 
 #include <glm/geometric.hpp>
 
+#include "math/square.h"
 #include "reference/half_vector.h"
 #include "reference/warp.h"
 
 namespace calotype::reference {
-namespace {
-
-double square(double x) { return x * x; }
-
-} // namespace
-
 glm::dvec3 fresnelSchlick(const glm::dvec3& f0, double cosTheta) {
     return f0 + (1.0 - f0) * std::pow(1.0 - std::min(cosTheta, 1.0), 5.0);
 }

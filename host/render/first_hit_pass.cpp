@@ -14,7 +14,6 @@
 namespace calotype {
 namespace {
 
-constexpr uint32_t kPixelsPerTile = shared::kTileSize * shared::kTileSize;
 /// 16 MiB of records: far below any device's limit on a storage buffer.
 constexpr uint32_t kMostTilesPerDispatch = 4096;
 

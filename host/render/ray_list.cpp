@@ -15,8 +15,6 @@
 namespace calotype {
 namespace {
 
-constexpr uint32_t kPixelsPerTile = shared::kTileSize * shared::kTileSize;
-
 /// Runs all groups in dispatches of bounded time; returns the seconds that they took.
 double runGroups(const Device& device, const ComputePipeline& pipeline,
                  shared::RayListParameters parameters, DispatchSizer& sizer) {

@@ -34,7 +34,6 @@ void ReferenceBlock::beginBlock(uint32_t firstSample, std::span<const uint8_t> i
 
 shared::RenderCounters ReferenceBlock::renderTiles(TileRange tiles, uint32_t sampleEnd) {
     constexpr auto kLongest = std::chrono::milliseconds(200); // so that interrupts take effect
-    constexpr uint32_t kPixelsPerTile = shared::kTileSize * shared::kTileSize;
     const auto deadline = std::chrono::steady_clock::now() + kLongest;
     const Crop& crop = settings_.crop;
     std::vector<shared::RenderCounters> counters(threads_, shared::RenderCounters{});

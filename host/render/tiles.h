@@ -8,6 +8,8 @@
 
 namespace calotype {
 
+inline constexpr uint32_t kPixelsPerTile = shared::kTileSize * shared::kTileSize;
+
 /// Square tiles of shared::kTileSize pixels a side that cover so many pixels of a row or column.
 inline uint32_t tilesAlong(uint32_t pixels) {
     return (pixels + shared::kTileSize - 1) / shared::kTileSize;

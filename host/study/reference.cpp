@@ -5,13 +5,10 @@
 
 #include "film/error_estimate.h"
 #include "math/luminance.h"
+#include "math/square.h"
 
 namespace calotype {
-namespace {
-
-double square(double x) { return x * x; }
-
-} // namespace
+namespace {} // namespace
 
 Reference::Reference(Session& session) : picture(session.picture()) {
     for (const glm::vec3& pixel : picture.pixels)

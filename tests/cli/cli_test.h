@@ -27,7 +27,7 @@ inline const std::string kSmallScene = R"({
 
 class CliTest : public testing::Test {
 protected:
-    ScratchFolder folder_;
+    TestFolder folder_;
     std::string scene_ = folder_.write("scene.json", kSmallScene);
 };
 

@@ -28,7 +28,7 @@ protected:
         return path;
     }
 
-    ScratchFolder folder_;
+    TestFolder folder_;
     std::string a_ = write("a.exr", 2, {{1, 2, 3}, {0, 0, 0}, {0.5f, 0, 8}, {1, 1, 1}});
     std::string b_ = write("b.pfm", 2, {{1, 1, 3}, {0, 0, 0}, {0, 0.25f, 10}, {1, 1, 1}});
 };

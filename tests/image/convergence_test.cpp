@@ -71,7 +71,7 @@ double slopeOf(const Scene& scene, Sampler sampler) {
 }
 
 TEST_F(ConvergenceTest, ErrorsUnderADiskFallAsTheorySays) {
-    const ScratchFolder folder;
+    const TestFolder folder;
     const Scene scene = loadScene(folder.write("disk.json", smoothScene(R"(
         { "type": "disk", "center": [0, 2, 0], "normal": [0, -1, 0], "radius": 1,
           "radiance": 5 })")));
@@ -82,7 +82,7 @@ TEST_F(ConvergenceTest, ErrorsUnderADiskFallAsTheorySays) {
 // A quad is two triangles: the number that chooses one of them also picks the place on it, so that
 // each has its half of the points, as evenly spread.
 TEST_F(ConvergenceTest, ErrorsUnderAQuadFallFasterThanIndependentOnes) {
-    const ScratchFolder folder;
+    const TestFolder folder;
     const Scene scene = loadScene(folder.write("quad.json", smoothScene(R"(
         { "type": "quad", "radiance": 5, "vertices": [[-1,2,-1],[1,2,-1],[1,2,1],[-1,2,1]] })")));
     EXPECT_LT(slopeOf(scene, Sampler::Sobol), -0.56);

@@ -96,7 +96,7 @@ ProgramResult runProgram(const std::vector<std::string>& arguments, const Progra
     return result;
 }
 
-ScratchFolder::ScratchFolder() {
+TestFolder::TestFolder() {
     std::string pattern =
         (std::filesystem::temp_directory_path() / "calotype-test-XXXXXX").string();
     if (!mkdtemp(pattern.data()))
@@ -104,14 +104,14 @@ ScratchFolder::ScratchFolder() {
     path_ = pattern;
 }
 
-ScratchFolder::~ScratchFolder() { std::filesystem::remove_all(path_); }
+TestFolder::~TestFolder() { std::filesystem::remove_all(path_); }
 
-std::string ScratchFolder::write(const std::string& name, const std::string& text) const {
+std::string TestFolder::write(const std::string& name, const std::string& text) const {
     std::ofstream(path_ / name, std::ios::binary) << text;
     return *this / name;
 }
 
-std::vector<std::string> ScratchFolder::names() const {
+std::vector<std::string> TestFolder::names() const {
     std::vector<std::string> names;
     for (const auto& entry : std::filesystem::directory_iterator(path_))
         names.push_back(entry.path().filename());

@@ -29,12 +29,12 @@ ProgramResult runProgram(const std::vector<std::string>& arguments,
                          const ProgramOptions& options = {});
 
 /// A folder of its own for a test's files, removed with all its contents.
-class ScratchFolder {
+class TestFolder {
 public:
-    ScratchFolder();
-    ~ScratchFolder();
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
+    TestFolder();
+    ~TestFolder();
+    TestFolder(const TestFolder&) = delete;
+    TestFolder& operator=(const TestFolder&) = delete;
 
     std::string operator/(const std::string& name) const { return (path_ / name).string(); }
     std::filesystem::path path() const { return path_; }

@@ -61,7 +61,7 @@ std::string errorOf(const std::function<void()>& action) {
 
 class FilmFile : public testing::Test {
 protected:
-    ScratchFolder folder_;
+    TestFolder folder_;
     std::string path_ = folder_ / "x.film";
 };
 

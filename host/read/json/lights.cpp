@@ -14,7 +14,7 @@
 namespace calotype {
 namespace {
 
-enum Type { kDisk, kTriangle, kQuad };
+enum class LightType { kDisk, kTriangle, kQuad };
 
 JsonObjectType lightTypeOf(const char* name, const char* description, std::vector<JsonKey> keys) {
     keys.push_back(transformKey());
@@ -29,7 +29,7 @@ JsonObjectType lightTypeOf(const char* name, const char* description, std::vecto
     return chosenType(name, description, std::move(keys), {exactlyOne("radiance", "power")});
 }
 
-/// In the order of Type.
+/// In the order of LightType.
 const JsonObjectTypes& lightTypes() {
     static const JsonObjectTypes types = {
         lightTypeOf("disk", "A black disk that shines from its front.", diskKeys()),
@@ -71,8 +71,8 @@ glm::dvec3 readEmission(const JsonObject& object, double shiningArea) {
 JsonType lightType() { return anyOf(lightTypes(), "light"); }
 
 Shape readLight(const JsonValue& value, size_t index, JsonContext& context) {
-    const auto type = static_cast<Type>(readType(value, lightTypes()));
-    const JsonObject object(value, lightTypes()[type]);
+    const auto type = static_cast<LightType>(readType(value, lightTypes()));
+    const JsonObject object(value, lightTypes()[static_cast<size_t>(type)]);
     const bool twoSided = object.boolean("two_sided", false);
 
     Material material;
@@ -85,12 +85,12 @@ Shape readLight(const JsonValue& value, size_t index, JsonContext& context) {
     shape.place = value.where();
     shape.material = context.addMaterial(material);
     double sideArea = 0.0;
-    if (type == kDisk) {
+    if (type == LightType::kDisk) {
         const Disk disk = readDisk(object);
         sideArea = area(disk);
         shape.geometry = disk;
     } else {
-        Mesh mesh = type == kTriangle
+        Mesh mesh = type == LightType::kTriangle
                         ? readTriangle(object, shape.material, PolygonUse::Light, context)
                         : readQuad(object, shape.material, PolygonUse::Light, context);
         sideArea = area(mesh);

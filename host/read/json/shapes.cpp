@@ -14,7 +14,7 @@
 namespace calotype {
 namespace {
 
-enum Type { kSphere, kCylinder, kCone, kDisk, kTriangle, kQuad, kMesh };
+enum class ShapeType { kSphere, kCylinder, kCone, kDisk, kTriangle, kQuad, kMesh };
 
 JsonObjectType shapeTypeOf(const char* name, const char* description, std::vector<JsonKey> keys,
                            std::vector<JsonRule> rules = {}) {
@@ -24,7 +24,7 @@ JsonObjectType shapeTypeOf(const char* name, const char* description, std::vecto
     return chosenType(name, description, std::move(keys), std::move(rules));
 }
 
-/// In the order of Type.
+/// In the order of ShapeType.
 const JsonObjectTypes& shapeTypes() {
     static const JsonObjectTypes types = {
         shapeTypeOf("sphere", "A sphere.", sphereKeys()),
@@ -51,36 +51,36 @@ void warnOfDisplacement(const Shape& shape, JsonContext& context) {
 JsonType shapeType() { return anyOf(shapeTypes(), "shape"); }
 
 Shape readShape(const JsonValue& value, JsonContext& context) {
-    const auto type = static_cast<Type>(readType(value, shapeTypes()));
-    const JsonObject object(value, shapeTypes()[type]);
+    const auto type = static_cast<ShapeType>(readType(value, shapeTypes()));
+    const JsonObject object(value, shapeTypes()[static_cast<size_t>(type)]);
     Shape shape;
     shape.place = value.where();
-    if (type == kMesh) {
+    if (type == ShapeType::kMesh) {
         shape.geometry = readMesh(object, context);
         return shape;
     }
     shape.material = findMaterial(object.required("material"), context);
     warnOfDisplacement(shape, context);
     switch (type) {
-    case kSphere:
+    case ShapeType::kSphere:
         shape.geometry = readSphere(object);
         break;
-    case kCylinder:
+    case ShapeType::kCylinder:
         shape.geometry = readCylinder(object);
         break;
-    case kCone:
+    case ShapeType::kCone:
         shape.geometry = readCone(object);
         break;
-    case kDisk:
+    case ShapeType::kDisk:
         shape.geometry = readDisk(object);
         break;
-    case kTriangle:
+    case ShapeType::kTriangle:
         shape.geometry = readTriangle(object, shape.material, PolygonUse::Shape, context);
         break;
-    case kQuad:
+    case ShapeType::kQuad:
         shape.geometry = readQuad(object, shape.material, PolygonUse::Shape, context);
         break;
-    case kMesh:
+    case ShapeType::kMesh:
         break;
     }
     return shape;

@@ -18,7 +18,7 @@ namespace {
 /// In the order of TextureWrap.
 const std::array<std::string, 3> kWraps = {"repeat", "clamp", "mirror"};
 /// In the order of TextureFilter.
-const std::array<std::string, 2> kFilters = {"bilinear", "nearest"};
+const std::array<std::string, 2> kTextureFilters = {"bilinear", "nearest"};
 const std::array<std::string, 2> kColorSpaces = {"srgb", "linear"};
 
 JsonKey scaleKey(const char* description) {
@@ -26,24 +26,25 @@ JsonKey scaleKey(const char* description) {
     return JsonKey("scale", namedType("textureScale", scale), description).orElseJson("[1, 1]");
 }
 
-enum Type { kImage, kChecker };
+enum TextureType { kImage, kChecker };
 
 const JsonObjectTypes& textureTypes() {
     static const JsonObjectTypes types = {
-        chosenType("image", "An image file. v = 0 is its bottom.",
-                   {JsonKey("file", textType(),
-                            "A file beside the scene file: PNG (8 or 16 bits), JPEG, TGA, BMP or "
-                            "HDR, up to 16384 pixels on a side.")
-                        .required(),
-                    JsonKey("wrap", choiceType(kWraps), "What lies outside [0, 1].")
-                        .orElseJson("\"repeat\""),
-                    JsonKey("filter", choiceType(kFilters), "What lies between texel centres.")
-                        .orElseJson("\"bilinear\""),
-                    JsonKey("color_space", choiceType(kColorSpaces),
-                            "srgb: colours decode images of 8 and 16 bits, and nothing else does; "
-                            "linear prevents it.")
-                        .orElseJson("\"srgb\""),
-                    scaleKey("How often the image repeats along u and v, from 0 to 1.")}),
+        chosenType(
+            "image", "An image file. v = 0 is its bottom.",
+            {JsonKey("file", textType(),
+                     "A file beside the scene file: PNG (8 or 16 bits), JPEG, TGA, BMP or "
+                     "HDR, up to 16384 pixels on a side.")
+                 .required(),
+             JsonKey("wrap", choiceType(kWraps), "What lies outside [0, 1].")
+                 .orElseJson("\"repeat\""),
+             JsonKey("filter", choiceType(kTextureFilters), "What lies between texel centres.")
+                 .orElseJson("\"bilinear\""),
+             JsonKey("color_space", choiceType(kColorSpaces),
+                     "srgb: colours decode images of 8 and 16 bits, and nothing else does; "
+                     "linear prevents it.")
+                 .orElseJson("\"srgb\""),
+             scaleKey("How often the image repeats along u and v, from 0 to 1.")}),
         chosenType("checker", "Squares of two colours.",
                    {JsonKey("colors", arrayType(reflectanceType(), 2),
                             "The two colours; the first where floor(u sx) + floor(v sy) is even.")
@@ -55,7 +56,7 @@ const JsonObjectTypes& textureTypes() {
 ImageTexture readImage(const JsonObject& object, JsonContext& context) {
     ImageTexture image;
     image.wrap = static_cast<TextureWrap>(object.choice("wrap", kWraps, 0));
-    image.filter = static_cast<TextureFilter>(object.choice("filter", kFilters, 0));
+    image.filter = static_cast<TextureFilter>(object.choice("filter", kTextureFilters, 0));
     image.decodesColor = object.choice("color_space", kColorSpaces, 0) == 0;
     const JsonValue file = object.required("file");
     image.image = readTextureFile(file.text(), context.directory, file.where(), context).image;
