@@ -8,15 +8,15 @@
 #include "support/render_scene.h"
 #include "support/scene_builder.h"
 
-namespace calotype {
+namespace calotype::shared {
 
 // For the comparisons below; a pixel that shows nothing has an infinite depth.
-bool operator==(const FirstHit& a, const FirstHit& b) {
+inline bool operator==(const FirstHit& a, const FirstHit& b) {
     return a.albedo == b.albedo && a.normal == b.normal && a.position == b.position &&
            a.depth == b.depth && a.primitive == b.primitive && a.uv == b.uv;
 }
 
-} // namespace calotype
+} // namespace calotype::shared
 
 namespace calotype::test {
 namespace {
