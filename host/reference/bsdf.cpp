@@ -104,8 +104,8 @@ void Bsdf::shareOut() {
         part.end = total;
     }
     for (WeightedLobe& part : lobes_) {
-        part.start = total > 0.0 ? part.start / total : 1.0;
-        part.end = total > 0.0 ? part.end / total : 1.0;
+        part.start = total == 0.0 ? 1.0 : part.start / total;
+        part.end = total == 0.0 ? 1.0 : part.end / total;
     }
 }
 
@@ -155,7 +155,7 @@ Bsdf::Sample Bsdf::sample(const glm::dvec3& u) const {
         return {ontoSideOf(crosses ? -ng_ : ng_, wi), scattered.specularWeight / chosen.chance(),
                 std::numeric_limits<double>::infinity(), crosses, scattered.eta};
     const Value mixture = evaluate(wi);
-    if (mixture.pdf <= 0.0)
+    if (mixture.pdf == 0.0)
         return {};
     return {wi, mixture.value / mixture.pdf, mixture.pdf, crosses, scattered.eta};
 }

@@ -62,10 +62,11 @@ const float kSpecularPdf = 1e30;
 bool hasLobe(Bsdf bsdf, uint lobe) { return (bsdf.lobes & lobe) != 0u; }
 
 /// The share from `start` to `end`, both in parts of `total`. Where no lobe scatters anything, all
-/// shares are empty.
+/// shares are empty; an albedo that is not a number makes shares and weights that are none either,
+/// so that such a sample is counted and not black.
 LobeShare lobeShare(float start, float end, float total) {
-    float first = total > 0.0 ? start / total : 1.0;
-    float last = total > 0.0 ? end / total : 1.0;
+    float first = total == 0.0 ? 1.0 : start / total;
+    float last = total == 0.0 ? 1.0 : end / total;
     return LobeShare(first, last - first);
 }
 
@@ -188,7 +189,7 @@ BsdfSample sampleBsdf(Bsdf bsdf, vec3 u) {
                           scattered.specularWeight / chosen.chance, kSpecularPdf, crosses,
                           scattered.eta);
     BsdfValue mixture = evaluateBsdf(bsdf, wi);
-    vec3 weight = mixture.pdf > 0.0 ? mixture.value / mixture.pdf : vec3(0.0);
+    vec3 weight = mixture.pdf == 0.0 ? vec3(0.0) : mixture.value / mixture.pdf;
     return BsdfSample(wi, weight, mixture.pdf, crosses, scattered.eta);
 }
 

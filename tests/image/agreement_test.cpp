@@ -83,8 +83,12 @@ TEST_P(AgreementTest, MeansOfTheSamePathsAreEqual) {
     Judged judged(scene_, kSide);
     const PairedDifference difference =
         comparePaired(judged.deviceMeans(kBlocks), judged.referenceMeans(kBlocks));
+    // A few paths differ by chance, where rounding sends them another way. What they differ by has
+    // a mean of zero, and its noise comes on top of the bound; it is 0 where no path differs.
     for (int channel = 0; channel < 3; ++channel)
-        EXPECT_NEAR(difference.relative[channel], 0.0, kBound) << "channel " << channel;
+        EXPECT_LT(std::abs(difference.relative[channel]),
+                  kBound + normalLimit(3) * difference.standardError[channel])
+            << "channel " << channel;
     std::cout << "relative difference " << largest(glm::abs(difference.relative)) << " +- "
               << largest(difference.standardError) << "\n";
 }
