@@ -4,11 +4,11 @@
 #include <string_view>
 #include <vector>
 
-#include "shared/specialization.h"
+#include "shared/bindings.h"
 
 namespace calotype {
 
-/// Which features of the kernel a scene needs, indexed by shared::kFeature...
+/// Which features of the kernel a scene needs, indexed by the identifiers in shared/bindings.h.
 struct SceneFeatures {
     std::array<bool, shared::kFeatureCount> enabled{};
 

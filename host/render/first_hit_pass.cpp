@@ -9,7 +9,6 @@
 #include "render/dispatch_sizer.h"
 #include "render/loop_budget.h"
 #include "render/tiles.h"
-#include "shared/bindings.h"
 #include "shared/layers.h"
 
 namespace calotype {

@@ -11,7 +11,6 @@
 #include "render/loop_budget.h"
 #include "render/specialization.h"
 #include "render/tiles.h"
-#include "shared/bindings.h"
 
 namespace calotype {
 namespace {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "gpu/buffer.h"
@@ -18,11 +17,16 @@ public:
     std::vector<Binding> bindings() const;
 
 private:
-    struct BoundBuffer {
-        uint32_t binding;
-        TexelBuffer rows;
-    };
-    std::vector<BoundBuffer> buffers_; ///< as in shared/binding_table.h
+    TexelBuffer nodes_;
+    TexelBuffer triangles_;
+    TexelBuffer triangleNormals_;
+    TexelBuffer triangleUvs_;
+    TexelBuffer quadrics_;
+    TexelBuffer materials_;
+    TexelBuffer textures_;
+    TexelBuffer texelRows_;
+    TexelBuffer lights_;
+    TexelBuffer filterQuantiles_;
 };
 
 } // namespace calotype

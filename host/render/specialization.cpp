@@ -1,7 +1,5 @@
 #include "render/specialization.h"
 
-#include "shared/specialization.h"
-
 namespace calotype {
 
 std::vector<uint32_t> specialization(const Device& device, const SceneFeatures& features,

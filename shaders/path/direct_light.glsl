@@ -2,7 +2,7 @@
 #ifndef CALOTYPE_PATH_DIRECT_LIGHT_GLSL
 #define CALOTYPE_PATH_DIRECT_LIGHT_GLSL
 
-#include "config/settings.glsl"
+#include "config/transport.glsl"
 #include "core/random.glsl"
 #include "lights/light.glsl"
 #include "path/mis.glsl"
