@@ -62,8 +62,8 @@ const float kSpecularPdf = 1e30;
 bool hasLobe(Bsdf bsdf, uint lobe) { return (bsdf.lobes & lobe) != 0u; }
 
 /// The share from `start` to `end`, both in parts of `total`. Where no lobe scatters anything, all
-/// shares are empty; an albedo that is not a number makes shares and weights that are none either,
-/// so that such a sample is counted and not black.
+/// shares are empty. Where an albedo is NaN, so are the shares and the sample's weight: the sample
+/// is then counted as lost instead of being silently black.
 LobeShare lobeShare(float start, float end, float total) {
     float first = total == 0.0 ? 1.0 : start / total;
     float last = total == 0.0 ? 1.0 : end / total;

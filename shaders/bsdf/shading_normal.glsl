@@ -31,7 +31,7 @@ vec3 consistentNormal(vec3 wo, vec3 ng, vec3 ns) {
     float cosine = dot(wo, ns);
     float height = 2.0 * cosine * dot(ns, ng) - dot(wo, ng); // of the mirrored viewer
     // Cosines to ng: a fiftieth of the viewer's, and at least twice the rounding of a dot product
-    // of unit vectors (gamma_3, 4e-7), lest a ray along the surface starts beneath it.
+    // of unit vectors (gamma_3, 4e-7), so that no ray along the surface starts below.
     float least = max(0.02 * dot(wo, ng), 1e-6);
     // Of a direction straight down something has to be left.
     float lowest = max(least, sqrt(max(height * height - 0.9999, 0.0)));
@@ -42,7 +42,7 @@ vec3 consistentNormal(vec3 wo, vec3 ng, vec3 ns) {
     float liftedLength = sqrt(1.0 + excess2);
     vec3 sum = 2.0 * cosine * ns + (lowest - height) * ng + excess2 / (1.0 + liftedLength) * wo;
     vec3 difference = 2.0 * liftedLength * wo - sum;
-    float longer2 = max(dot(sum, sum), dot(difference, difference)); // lest rounding is divided by
+    float longer2 = max(dot(sum, sum), dot(difference, difference)); // no division by rounding
     vec3 bent = sum - dot(sum, difference) / longer2 * difference;
     // Chosen before the root: CPUs compute both, and numbers too small for float cost them dearly.
     bool isConsistent = height >= least;

@@ -1,4 +1,4 @@
-// What the host tells a dispatch of a rendering kernel, and what it hears back.
+// The inputs of a dispatch of a rendering kernel, and its results.
 #ifndef CALOTYPE_SHARED_RENDER_STRUCTS_H
 #define CALOTYPE_SHARED_RENDER_STRUCTS_H
 
