@@ -301,9 +301,14 @@ size_t bytesOf(const std::vector<T>& array) {
 } // namespace
 
 size_t GpuScene::bytes() const {
-    return bytesOf(nodes) + bytesOf(triangles) + bytesOf(triangleNormals) + bytesOf(triangleUvs) +
-           bytesOf(quadrics) + bytesOf(materials) + bytesOf(textures) + bytesOf(texelRows) +
-           bytesOf(lights) + bytesOf(filterQuantiles) + sizeof(camera);
+    size_t bytes = sizeof(camera);
+#define BEGIN_BINDINGS
+#define SCENE_ARRAY(id, type, member, people) SCENE_ROWS(id, member, people)
+#define SCENE_ROWS(id, member, people) bytes += bytesOf(member);
+#define BINDING(id)
+#define END_BINDINGS
+#include "shared/binding_table.h"
+    return bytes;
 }
 
 GpuScene packScene(const Scene& scene, std::span<const Primitive> primitives, const Bvh& bvh,

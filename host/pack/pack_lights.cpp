@@ -9,7 +9,7 @@
 #include "pack/alias_table.h"
 #include "pack/pack_material.h"
 #include "scene/scene_bounds.h"
-#include "shared/bindings.h"
+#include "shared/specialization.h"
 
 namespace calotype {
 namespace {

@@ -2,39 +2,14 @@
 
 namespace calotype {
 
-const std::array<std::string_view, shared::kFeatureCount> kFeatureNames = {
-    "triangles",
-    "smooth normals",
-    "spheres",
-    "cylinders",
-    "cones",
-    "disks",
-    "many quadrics",
-    "triangle lights",
-    "sphere lights",
-    "cylinder lights",
-    "cone lights",
-    "disk lights",
-    "hidden lights",
-    "lights with alpha",
-    "a background",
-    "diffuse",
-    "GGX",
-    "mirrors",
-    "Blinn-Phong",
-    "dielectrics",
-    "color textures",
-    "roughness textures",
-    "specular textures",
-    "normal maps",
-    "alpha",
-    "8-bit images",
-    "float images",
-    "checkers",
-    "a film filter",
-    "a lens",
-    "an orthographic camera",
-};
+// to_array: there must be as many names as numbers, so the table has no line without a feature.
+const std::array<std::string_view, shared::kFeatureCount> kFeatureNames =
+    std::to_array<std::string_view>({
+#define BEGIN_FEATURES
+#define FEATURE(id, people) people,
+#define END_FEATURES
+#include "shared/feature_table.h"
+    });
 
 SceneFeatures SceneFeatures::all() {
     SceneFeatures features;

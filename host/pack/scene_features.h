@@ -4,11 +4,11 @@
 #include <string_view>
 #include <vector>
 
-#include "shared/bindings.h"
+#include "shared/specialization.h"
 
 namespace calotype {
 
-/// Which features of the kernel a scene needs, indexed by the identifiers in shared/bindings.h.
+/// Which features of the kernel a scene needs, indexed by shared::kFeature...
 struct SceneFeatures {
     std::array<bool, shared::kFeatureCount> enabled{};
 

@@ -9,6 +9,7 @@
 #include "render/dispatch_sizer.h"
 #include "render/loop_budget.h"
 #include "render/tiles.h"
+#include "shared/bindings.h"
 #include "shared/layers.h"
 
 namespace calotype {

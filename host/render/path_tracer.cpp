@@ -3,10 +3,12 @@
 #include <algorithm>
 
 #include "base/check.h"
+#include "kernels/parked_task.h"
 #include "kernels/path_trace.spv.h"
 #include "render/loop_budget.h"
 #include "render/specialization.h"
 #include "render/tiles.h"
+#include "shared/bindings.h"
 
 namespace calotype {
 namespace {
@@ -28,18 +30,18 @@ shared::RenderParameters makeParameters(const GpuScene& scene, const RenderSetti
 
 std::vector<Binding> withKernelBindings(std::vector<Binding> bindings, const Buffer& camera,
                                         const StorageImage& block, const Buffer& counters,
-                                        const Buffer& parkedPaths, const Buffer& tileList) {
+                                        const Buffer& parkedTasks, const Buffer& tileList) {
     bindings.push_back(Binding::uniformBuffer(shared::kBindingCamera, camera));
     bindings.push_back(Binding::storageImage(shared::kBindingBlock, block));
     bindings.push_back(Binding::storageBuffer(shared::kBindingCounters, counters));
-    bindings.push_back(Binding::storageBuffer(shared::kBindingParkedPaths, parkedPaths));
+    bindings.push_back(Binding::storageBuffer(shared::kBindingParkedTasks, parkedTasks));
     bindings.push_back(Binding::storageBuffer(shared::kBindingTiles, tileList));
     return bindings;
 }
 
 size_t parkedBytes(const Device& device, const Crop& crop) {
     return size_t{std::min(countTiles(crop), shared::kMostTilesPerDispatch)} *
-           device.info().subgroupSize * shared::kTasksPerLane * sizeof(shared::ParkedPath);
+           device.info().subgroupSize * shared::kTasksPerLane * sizeof(shared::ParkedTask);
 }
 
 size_t tileListBytes(const Crop& crop) { return countTiles(crop) * sizeof(uint32_t); }
@@ -64,11 +66,11 @@ PathTracer::PathTracer(const Device& device, const GpuScene& scene, const SceneB
                            vk::BufferUsageFlagBits::eUniformBuffer, "camera")),
       counters_(device, sizeof(shared::RenderCounters), vk::BufferUsageFlagBits::eStorageBuffer,
                 Buffer::Memory::Host, "counters"),
-      parkedPaths_(zeroedBuffer(device, parkedBytes(device, settings.crop), "parked paths")),
+      parkedTasks_(zeroedBuffer(device, parkedBytes(device, settings.crop), "parked tasks")),
       pipeline_(device, {.name = "path trace",
                          .spirv = kPathTraceSpirv,
                          .bindings = withKernelBindings(buffers.bindings(), camera_, block_,
-                                                        counters_, parkedPaths_, tileList_),
+                                                        counters_, parkedTasks_, tileList_),
                          .constants = specialization(device, features, tuning, settings.sampler,
                                                      settings.transport),
                          .pushConstantBytes = sizeof(shared::RenderParameters)}) {
@@ -88,7 +90,7 @@ void PathTracer::beginBlock(uint32_t firstSample, std::span<const uint8_t> isLef
         block_.copyFrom(device_, pixels_.handle());
     }
     if (isUnfinished_)
-        clear(device_, parkedPaths_);
+        clear(device_, parkedTasks_);
     isUnfinished_ = false;
     if (!isLeftOut.empty() || tiles_.size() != countTiles(crop_))
         listTiles(isLeftOut);

@@ -45,7 +45,7 @@ private:
     Buffer tileList_; ///< tiles_, for the kernel
     Buffer camera_;
     Buffer counters_;
-    Buffer parkedPaths_;
+    Buffer parkedTasks_;
     bool isUnfinished_ = false; ///< the last dispatch: there are parked paths
     ComputePipeline pipeline_;
 };

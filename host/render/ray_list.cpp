@@ -11,6 +11,7 @@
 #include "render/loop_budget.h"
 #include "render/specialization.h"
 #include "render/tiles.h"
+#include "shared/bindings.h"
 
 namespace calotype {
 namespace {

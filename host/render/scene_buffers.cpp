@@ -5,40 +5,24 @@
 #include "shared/bindings.h"
 
 namespace calotype {
-namespace {
 
-template <typename T>
-std::span<const std::byte> bytesOf(const std::vector<T>& array) {
-    return std::as_bytes(std::span(array));
+SceneBuffers::SceneBuffers(const Device& device, const GpuScene& scene) {
+    const auto upload = [&](uint32_t binding, const auto& array, const char* name) {
+        buffers_.push_back({binding, TexelBuffer(device, std::as_bytes(std::span(array)), name)});
+    };
+#define BEGIN_BINDINGS
+#define SCENE_ARRAY(id, type, member, people) SCENE_ROWS(id, member, people)
+#define SCENE_ROWS(id, member, people) upload(shared::kBinding##id, scene.member, people);
+#define BINDING(id)
+#define END_BINDINGS
+#include "shared/binding_table.h"
 }
 
-} // namespace
-
-SceneBuffers::SceneBuffers(const Device& device, const GpuScene& scene)
-    : nodes_(device, bytesOf(scene.nodes), "BVH nodes"),
-      triangles_(device, bytesOf(scene.triangles), "triangles"),
-      triangleNormals_(device, bytesOf(scene.triangleNormals), "triangle normals"),
-      triangleUvs_(device, bytesOf(scene.triangleUvs), "texture coordinates"),
-      quadrics_(device, bytesOf(scene.quadrics), "quadrics"),
-      materials_(device, bytesOf(scene.materials), "materials"),
-      textures_(device, bytesOf(scene.textures), "textures"),
-      texelRows_(device, bytesOf(scene.texelRows), "texels"),
-      lights_(device, bytesOf(scene.lights), "lights"),
-      filterQuantiles_(device, bytesOf(scene.filterQuantiles), "film filter") {}
-
 std::vector<Binding> SceneBuffers::bindings() const {
-    return {
-        Binding::texelBuffer(shared::kBindingNodes, nodes_),
-        Binding::texelBuffer(shared::kBindingTriangles, triangles_),
-        Binding::texelBuffer(shared::kBindingTriangleNormals, triangleNormals_),
-        Binding::texelBuffer(shared::kBindingTriangleUvs, triangleUvs_),
-        Binding::texelBuffer(shared::kBindingQuadrics, quadrics_),
-        Binding::texelBuffer(shared::kBindingMaterials, materials_),
-        Binding::texelBuffer(shared::kBindingTextures, textures_),
-        Binding::texelBuffer(shared::kBindingTexels, texelRows_),
-        Binding::texelBuffer(shared::kBindingLights, lights_),
-        Binding::texelBuffer(shared::kBindingFilter, filterQuantiles_),
-    };
+    std::vector<Binding> bindings;
+    for (const BoundBuffer& buffer : buffers_)
+        bindings.push_back(Binding::texelBuffer(buffer.binding, buffer.rows));
+    return bindings;
 }
 
 } // namespace calotype

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "gpu/buffer.h"
@@ -17,16 +18,11 @@ public:
     std::vector<Binding> bindings() const;
 
 private:
-    TexelBuffer nodes_;
-    TexelBuffer triangles_;
-    TexelBuffer triangleNormals_;
-    TexelBuffer triangleUvs_;
-    TexelBuffer quadrics_;
-    TexelBuffer materials_;
-    TexelBuffer textures_;
-    TexelBuffer texelRows_;
-    TexelBuffer lights_;
-    TexelBuffer filterQuantiles_;
+    struct BoundBuffer {
+        uint32_t binding;
+        TexelBuffer rows;
+    };
+    std::vector<BoundBuffer> buffers_; ///< as in shared/binding_table.h
 };
 
 } // namespace calotype

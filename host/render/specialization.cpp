@@ -1,5 +1,7 @@
 #include "render/specialization.h"
 
+#include "shared/specialization.h"
+
 namespace calotype {
 
 std::vector<uint32_t> specialization(const Device& device, const SceneFeatures& features,

@@ -1,4 +1,5 @@
-// Through the BVH: the closest hit, or whether there is any.
+// A ray's state on its way through the BVH, and the steps that it takes there. The loops that take
+// them are in kernels/lane_rays.glsl.
 #ifndef CALOTYPE_ACCEL_TRAVERSAL_GLSL
 #define CALOTYPE_ACCEL_TRAVERSAL_GLSL
 
@@ -38,7 +39,7 @@ Hit crossPrimitive(uint primitive, Ray ray, ShearedRay sheared) {
     return crossTriangle(primitive, sheared);
 }
 
-/// A ray on its way through the tree, but for what it has put aside on a stack of its own.
+/// A ray on its way through the tree. Its stack of nodes is kept by the loops.
 struct Traversal {
     NodeRay boxRay;
     ShearedRay sheared;
@@ -51,6 +52,8 @@ struct Traversal {
     bool anyHit;               ///< any opaque hit will do
 };
 
+/// `anyHit`: the ray ends at the first opaque hit found. `skipped` is a primitive that it never
+/// meets, or kNone.
 Traversal startTraversal(Ray ray, bool anyHit, uint skipped) {
     NodeRay boxRay = nodeRay(ray.origin, ray.direction);
     return Traversal(boxRay, shearedRay(ray.origin, ray.direction), Hit(ray.tMax, kNone, false),
@@ -58,7 +61,7 @@ Traversal startTraversal(Ray ray, bool anyHit, uint skipped) {
                      anyHit);
 }
 
-/// A ray that has nowhere to go.
+/// A ray that has nothing left to visit.
 Traversal noTraversal() {
     Traversal traversal = startTraversal(Ray(vec3(0.0), 0.0, vec3(1.0)), false, kNone);
     traversal.nodes = kNoNodes;
@@ -126,7 +129,7 @@ void testQuadric(inout Traversal traversal, Ray ray) {
     takeHit(traversal, isActive, crossQuadric(isActive ? index : 0u, ray));
 }
 
-/// Whether nothing that is left could matter.
+/// True where no further hit could matter.
 bool isSettled(Traversal traversal) {
     return traversal.anyHit && traversal.hit.primitive != kNone && !traversal.hit.isTransparent;
 }
@@ -142,48 +145,6 @@ void takePostponed(inout Traversal traversal) {
         traversal.postponed.left = 0u;
         traversal.quadrics.left = 0u;
     }
-}
-
-/// Walks the tree: down to leaves, nearer children first, through their primitives, and on with
-/// what was put aside last. `anyHit` ends at the first opaque hit; `skipped` is never hit.
-///
-/// `iterations` counts what llvmpipe has a limit on: the passes through loop bodies, and the last
-/// look at a loop's condition, of the subgroup as a whole; hence the maxima after each loop. Both
-/// sides of an `if` are paid for there, so choices are written as selections.
-Hit traverse(Ray ray, bool anyHit, uint skipped, inout uint iterations) {
-    Traversal traversal = startTraversal(ray, anyHit, skipped);
-    NodeGroup stack[kMaxBvhDepth + 1u];
-    uint stackSize = 0u;
-    bool goesOn;
-    do {
-        uint index = takeNode(traversal.nodes, traversal.boxRay.octant);
-        stack[stackSize] = traversal.nodes;
-        stackSize += hasNodes(traversal.nodes) ? 1u : 0u;
-        BvhNode node = loadNode(index);
-        ChildrenMet met = meetNode(traversal.boxRay, node, traversal.hit.t);
-        traversal.nodes = nodesMet(node, met);
-        traversal.primitives = primitivesMet(node, met);
-        while (hasPrimitives(traversal.primitives)) {
-            testPrimitive(traversal, ray);
-            iterations++;
-        }
-        iterations = subgroupMax(iterations) + 2u;
-        bool goesBack = !hasNodes(traversal.nodes) && stackSize > 0u;
-        stackSize -= goesBack ? 1u : 0u;
-        traversal.nodes = pick(goesBack, stack[stackSize], traversal.nodes);
-        goesOn = hasNodes(traversal.nodes) && !isSettled(traversal);
-    } while (goesOn);
-    iterations = subgroupMax(iterations);
-    return traversal.hit;
-}
-
-Hit intersectClosest(Ray ray, inout uint iterations) {
-    return traverse(ray, false, kNone, iterations);
-}
-
-/// Some opaque primitive but `target` between the ray's ends, else the nearest that is transparent.
-Hit intersectAny(Ray ray, uint target, inout uint iterations) {
-    return traverse(ray, true, target, iterations);
 }
 
 #endif

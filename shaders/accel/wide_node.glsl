@@ -11,7 +11,7 @@
 //     gamma_7 (|t| + 2 |g|).
 // So planes on the near side are moved nearer by 2 gamma_7 |g|, those on the far side farther by as
 // much, and the far side is stretched by 1 + 2 gamma_7 for the |t| of either (Ize 2013, "Robust BVH
-// Ray Traversal"). Nothing that exact arithmetic would enter is passed by.
+// Ray Traversal"). Every box that the exact ray enters is entered.
 //
 // Components of the direction below 1e-18 are replaced before the reciprocal, so axis-parallel rays
 // meet no NaN and no infinity.
@@ -24,11 +24,11 @@
 #include "shapes/slab.glsl"
 #include "shared/scene_structs.h"
 
-/// A ray as boxes see it.
+/// A ray prepared for tests against boxes.
 struct NodeRay {
     vec3 origin;
-    vec3 inverse;     ///< of the direction
-    bvec3 isNegative; ///< the direction
+    vec3 inverse;     ///< 1 / direction
+    bvec3 isNegative; ///< components of the direction
     uint octant;      ///< bits 2, 1 and 0 where x, y and z of the direction are not negative
 };
 
@@ -63,7 +63,7 @@ uint childrenMet(uvec3 near, uvec3 far, vec3 nearScale, vec3 nearStart, vec3 far
            (enter.z <= leave.z ? 4u : 0u) | (enter.w <= leave.w ? 8u : 0u);
 }
 
-/// Each of eight bits three times.
+/// Each of the eight low bits, repeated three times.
 uint thrice(uint bits) {
     bits = (bits | bits << 8u) & 0x0300F00Fu;
     bits = (bits | bits << 4u) & 0x030C30C3u;

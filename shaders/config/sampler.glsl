@@ -2,10 +2,8 @@
 #ifndef CALOTYPE_CONFIG_SAMPLER_GLSL
 #define CALOTYPE_CONFIG_SAMPLER_GLSL
 
+#include "config/settings.glsl"
 #include "core/sobol.glsl"
-#include "shared/bindings.h"
-
-layout(constant_id = kConstantSobol) const bool usesSobol = false;
 
 /// Four numbers in [0, 1) for one of the path's dimensions.
 vec4 samplerNumbers(SampleId id, uint dimension) {

@@ -1,9 +1,10 @@
 #version 460
-// The first hits of the pixels of a run of tiles. The records of a tile lie together, row by row.
+// What each pixel of a run of tiles shows first. A tile's records lie together, row by row.
 #extension GL_GOOGLE_include_directive : require
-#extension GL_KHR_shader_subgroup_arithmetic : require
+#extension GL_KHR_shader_subgroup_ballot : require
 
 #include "film/tiles.glsl"
+#include "kernels/lane_rays.glsl"
 #include "path/first_hit.glsl"
 
 layout(local_size_x = kTileSize * kTileSize) in;
@@ -33,10 +34,23 @@ void putRecord(uint index, FirstHitRecord record) {
 void main() {
     uint tile = parameters.firstTile + gl_WorkGroupID.x;
     uvec2 pixel = pixelInTile(cornerOfTile(tile, parameters.cropSize), gl_LocalInvocationIndex);
-    if (any(greaterThanEqual(pixel, parameters.cropSize)))
+    bool isInPicture = all(lessThan(pixel, parameters.cropSize));
+    FirstHitSearch search =
+        startFirstHit(camera, parameters.cropOrigin + pixel, parameters.imageSize);
+    search.goesOn = isInPicture;
+    IterationCount count = IterationCount(0u, parameters.iterationsBeforeCut);
+    bool isInBudget;
+    do {
+        Hit hit = traceRay(search.ray, search.goesOn, false, kNone, count);
+        isInBudget = countIteration(count);
+        if (search.goesOn) {
+            extendFirstHit(search, hit, camera, isInBudget);
+            search.record.isCut = isInBudget ? search.record.isCut : 1u;
+        }
+    } while (lanesWhere(search.goesOn) > 0u && isInBudget);
+    if (!isInPicture)
         return;
     uvec2 inTile = pixel % kTileSize;
     uint index = (gl_WorkGroupID.x * kTileSize + inTile.y) * kTileSize + inTile.x;
-    putRecord(index, firstHit(camera, parameters.cropOrigin + pixel, parameters.imageSize,
-                              parameters.iterationsBeforeCut));
+    putRecord(index, search.record);
 }

@@ -1,20 +1,15 @@
-// The rays of a subgroup, one a lane, on their way through the tree together.
+// The rays of a subgroup, one a lane, traced through the tree together.
 //
-// A lane is about one of three things: its ray is among nodes, among primitives, or through. All
-// lanes do the same at a time, so a loop goes on with one thing while enough of the lanes at work
-// are about it, and the others wait (Aila and Laine 2009, "Understanding the Efficiency of Ray
-// Traversal on GPUs"). Where quadrics are few, they are a fourth, in which no lane is left waiting.
+// A lane is in one of three states: its ray is among nodes, among primitives, or through the tree.
+// All lanes do the same work at a time. So a loop goes on with one kind of work while enough of the
+// lanes at work need it, and the others wait (Aila and Laine 2009, "Understanding the Efficiency of
+// Ray Traversal on GPUs"). Where quadrics are few, testing them is a fourth state, and its loop
+// goes on until no lane is in it.
 #ifndef CALOTYPE_KERNELS_LANE_RAYS_GLSL
 #define CALOTYPE_KERNELS_LANE_RAYS_GLSL
 
 #include "accel/traversal.glsl"
-
-layout(constant_id = kConstantNodeEighths) const uint kNodeEighths = 5u;
-layout(constant_id = kConstantPrimitiveEighths) const uint kPrimitiveEighths = 3u;
-layout(constant_id = kConstantRayEighths) const uint kRayEighths = 7u;
-
-layout(constant_id = kConstantSharesStack) const bool sharesStack = false;
-layout(local_size_x_id = kConstantSubgroupSize) in;
+#include "config/settings.glsl"
 
 // What the lane's ray has put aside, in memory of its own or shared by the workgroup. Variables of
 // the whole kernel, as GLSL copies arguments.
@@ -38,14 +33,19 @@ NodeGroup groupAside(uint place) {
     return ownStack[place];
 }
 
-/// Passes through any loop of the kernel, which llvmpipe has a limit on.
+/// Passes through any loop of the kernel: llvmpipe has a limit on them. The same in all lanes.
 struct IterationCount {
     uint passes;
     uint budget;
 };
 
-/// False where the dispatch is to end.
-bool countIteration(inout IterationCount count) { return ++count.passes < count.budget; }
+bool isWithinBudget(IterationCount count) { return count.passes < count.budget; }
+
+/// Counts one pass. False where the budget is used up.
+bool countIteration(inout IterationCount count) {
+    count.passes++;
+    return isWithinBudget(count);
+}
 
 uint lanesWhere(bool condition) { return subgroupBallotBitCount(subgroupBallot(condition)); }
 
@@ -60,7 +60,7 @@ void visitNode(inout Traversal traversal) {
     uint index = takeNode(rest, traversal.boxRay.octant);
     putAside(stackSize, rest); // beyond the top where nothing is left of it
     uint size = stackSize + (hasNodes(rest) ? 1u : 0u);
-    BvhNode node = loadNode(visits ? index : 0u);
+    BvhNode node = loadBvhNode(visits ? index : 0u);
     ChildrenMet met = meetNode(traversal.boxRay, node, traversal.hit.t);
     bool goesBack = met.nodes == 0u && size > 0u;
     size -= goesBack ? 1u : 0u;
@@ -72,8 +72,8 @@ void visitNode(inout Traversal traversal) {
     }
 }
 
-/// Follows the rays until too many of the `atWork` lanes have theirs through, or the iterations
-/// are used up: then false.
+/// Follows the rays until too few of the `atWork` lanes have a ray in the tree, or the budget is
+/// used up: then false.
 bool followRays(inout Traversal traversal, Ray ray, uint atWork, inout IterationCount count) {
     bool isInBudget = true;
     do {
@@ -100,6 +100,21 @@ bool followRays(inout Traversal traversal, Ray ray, uint atWork, inout Iteration
         isInBudget = countIteration(count);
     } while (areEnough(isUnderWay(traversal), kRayEighths, atWork) && isInBudget);
     return isInBudget;
+}
+
+/// Follows the ray of each active lane from its start to its end, or until the budget is used up.
+/// `anyHit` and `skipped` are those of startTraversal.
+Hit traceRay(Ray ray, bool isActive, bool anyHit, uint skipped, inout IterationCount count) {
+    Traversal traversal = noTraversal();
+    if (isActive)
+        traversal = startTraversal(ray, anyHit, skipped);
+    stackSize = 0u;
+    uint atWork = lanesWhere(isActive);
+    bool isInBudget;
+    do {
+        isInBudget = followRays(traversal, ray, atWork, count) && countIteration(count);
+    } while (lanesWhere(isUnderWay(traversal)) > 0u && isInBudget);
+    return traversal.hit;
 }
 
 #endif

@@ -1,9 +1,10 @@
 #version 460
 // Lists rays that rendering a picture follows: one of each pixel's path, of the kind asked for.
 #extension GL_GOOGLE_include_directive : require
-#extension GL_KHR_shader_subgroup_arithmetic : require
+#extension GL_KHR_shader_subgroup_ballot : require
 
 #include "film/tiles.glsl"
+#include "kernels/lane_rays.glsl"
 #include "path/path.glsl"
 #include "shared/ray_structs.h"
 
@@ -14,7 +15,7 @@ layout(set = 0, binding = kBindingRays) writeonly buffer Rays { ListedRay rays[]
 
 bool isWanted(Path path) {
     bool isShadow = parameters.isShadow != 0u;
-    return path.isShadowed == isShadow && (isShadow || path.bounce == parameters.bounces);
+    return hasShadowRay(path) == isShadow && (isShadow || path.bounce == parameters.bounces);
 }
 
 void main() {
@@ -23,13 +24,17 @@ void main() {
     bool goesOn = all(lessThan(pixel, parameters.imageSize));
     Path path = startPath(SampleId(pixel, 0u, parameters.seed), camera, parameters.imageSize);
     PathLimits limits = PathLimits(parameters.bounces + 1u, parameters.lightCount, kFar, kNone);
-    uint iterations = 0u;
-    while (goesOn && !isWanted(path) && iterations < parameters.iterationBudget) {
-        Hit hit = traverse(path.ray, path.isShadowed, path.target, iterations);
-        goesOn = extendPath(path, hit, limits);
-        iterations++;
+    IterationCount count = IterationCount(0u, parameters.iterationBudget);
+    bool isInBudget = true;
+    bool searches = goesOn && !isWanted(path);
+    while (lanesWhere(searches) > 0u && isInBudget) {
+        Hit hit = traceRay(pathRay(path), searches, hasShadowRay(path), path.target, count);
+        isInBudget = countIteration(count);
+        if (searches)
+            goesOn = isInBudget && stepPath(path, hit, limits);
+        searches = goesOn && !isWanted(path);
     }
     bool isListed = goesOn && isWanted(path);
     rays[tile * kTileSize * kTileSize + gl_LocalInvocationIndex] =
-        ListedRay(path.ray.origin, isListed ? path.ray.tMax : 0.0, path.ray.direction, path.target);
+        ListedRay(path.rayOrigin, isListed ? path.rayTMax : 0.0, path.rayDirection, path.target);
 }

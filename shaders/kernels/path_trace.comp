@@ -3,9 +3,10 @@
 // number of its samples, added in their order by the lane that owns the pixel. So a dispatch goes
 // on where the last one stopped, and the picture does not depend on how the work was cut up.
 //
-// A workgroup is one subgroup. Each lane has two pixels, and takes the next one of the tile when
-// one is done. While the ray of its current pixel's path is on its way through the tree, the other
-// waits: with its own ray, to go next, or at a surface, until too few lanes have a ray left.
+// A workgroup is one subgroup. Each lane works at two pixels, and takes the tile's next one when
+// one is done. While the ray of the current pixel's path is traced, the other pixel's path waits:
+// its ray is traced next, or it is at a surface. When too few lanes have a ray left, the waiting
+// paths take their steps.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
 #extension GL_KHR_shader_subgroup_ballot : require
@@ -13,9 +14,9 @@
 #include "kernels/lane_rays.glsl"
 #include "kernels/tile_work.glsl"
 
-layout(constant_id = kConstantEventEighths) const uint kEventEighths = 6u;
+layout(local_size_x_id = kConstantSubgroupSize) in;
 
-/// At the surface that its ray met, or its path over.
+/// Its ray has been traced and the path has to take a step, or the path is over.
 bool isThrough(PixelTask task) { return task.hasPath && !task.hasRay; }
 
 void main() {
@@ -36,22 +37,22 @@ void main() {
             if (!current.hasRay && !isUnderWay(traversal) && !isThrough(waiting))
                 swapTasks(current, waiting);
             if (current.hasRay) {
-                traversal =
-                    startTraversal(current.path.ray, current.path.isShadowed, current.path.target);
+                traversal = startTraversal(pathRay(current.path), hasShadowRay(current.path),
+                                           current.path.target);
                 stackSize = 0u;
                 current.hasRay = false;
             }
-            isInBudget = followRays(traversal, current.path.ray, atWork, count);
+            isInBudget = followRays(traversal, pathRay(current.path), atWork, count);
             current.hit = traversal.hit;
-            if (hasLights && current.path.isShadowed && !isUnderWay(traversal) && current.hasPath &&
+            if (hasShadowRay(current.path) && !isUnderWay(traversal) && current.hasPath &&
                 !traversal.hit.isTransparent)
                 settleShadow(current, limits, totals);
             isInBudget = isInBudget && countIteration(count);
             hasRay = current.hasRay || waiting.hasRay || isUnderWay(traversal);
         } while (areEnough(hasRay, kEventEighths, atWork) && isInBudget);
         if (isThrough(waiting)) // whatever the budget: a dispatch gets on
-            meetSurface(waiting, limits, totals);
+            stepTask(waiting, limits, totals);
         isInBudget = isInBudget && countIteration(count);
     } while (lanesWhere(current.hasPixel || waiting.hasPixel) > 0u && isInBudget);
-    putDown(work, current, waiting, totals);
+    parkTile(work, current, waiting, totals);
 }

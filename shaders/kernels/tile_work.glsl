@@ -1,16 +1,16 @@
-// The tile of a subgroup: handing its pixels to lanes, and putting its work down between
-// dispatches.
+// The tile of a subgroup: handing its pixels to lanes, and parking its work between dispatches.
 #ifndef CALOTYPE_KERNELS_TILE_WORK_GLSL
 #define CALOTYPE_KERNELS_TILE_WORK_GLSL
 
 #include "film/tiles.glsl"
-#include "path/pixel_task.glsl"
+#include "kernels/pixel_task.glsl"
+#include "shared/render_structs.h"
 
 layout(push_constant) uniform Parameters { RenderParameters parameters; };
 layout(set = 0, binding = kBindingCamera) uniform CameraBlock { Camera camera; };
 layout(set = 0, binding = kBindingBlock, rgba32f) uniform image2D block;
 layout(set = 0, binding = kBindingCounters) buffer CountersBlock { RenderCounters counters; };
-layout(set = 0, binding = kBindingParkedPaths) buffer ParkedPaths { ParkedPath parkedPaths[]; };
+layout(set = 0, binding = kBindingParkedTasks) buffer ParkedTasks { ParkedTask parkedTasks[]; };
 layout(set = 0, binding = kBindingTiles) readonly buffer Tiles { uint tiles[]; };
 
 struct TileWork {
@@ -27,7 +27,8 @@ SampleId sampleIdOf(uvec2 pixel, PixelTask task) {
                     parameters.seed);
 }
 
-/// Gives the task's pixel, if it has one, as many samples as the block holds of it.
+/// Sets the task's sum to what the block holds of its pixel. A task without a pixel in the picture
+/// gets a sum that needs no more samples.
 void loadPixel(TileWork work, inout PixelTask task) {
     uvec2 pixel = pixelOf(work, task);
     task.hasPixel = task.item < kTileSize * kTileSize;
@@ -35,8 +36,8 @@ void loadPixel(TileWork work, inout PixelTask task) {
     task.sum = isReal ? imageLoad(block, ivec2(pixel)) : vec4(parameters.sampleEnd);
 }
 
-/// Tasks that are done with their pixels store them and take the next ones; those without a path
-/// start one.
+/// A task that is done with its pixel stores it and takes the next one; a task without a path
+/// starts one.
 void takeUpWork(inout TileWork work, inout PixelTask task) {
     bool isDone = task.hasPixel && !task.hasPath && uint(task.sum.w) >= parameters.sampleEnd;
     uvec2 pixel = pixelOf(work, task);
@@ -60,22 +61,21 @@ uint parkingPlace(uint whichTask) {
            gl_SubgroupInvocationID;
 }
 
-/// Goes on where the last dispatch put the tile down, or begins it anew.
+/// Goes on where the last dispatch parked the tile, or begins it anew.
 TileWork resumeTile(uint tile) {
     TileWork work = TileWork(cornerOfTile(tile, parameters.cropSize), 0u);
-    uint parked = parkedPaths[parkingPlace(0u)].nextItem;
+    uint parked = parkedTasks[parkingPlace(0u)].nextItem;
     work.nextItem = parked == 0u ? kTasksPerLane * gl_SubgroupSize : parked;
     return work;
 }
 
 PixelTask resumeTask(TileWork work, uint whichTask) {
-    ParkedPath parked = parkedPaths[parkingPlace(whichTask)];
+    ParkedTask parked = parkedTasks[parkingPlace(whichTask)];
     bool isNew = parked.nextItem == 0u;
     PixelTask task;
-    task.item = isNew ? whichTask * gl_SubgroupSize + gl_SubgroupInvocationID
-                      : parked.item & ~(kTaskHasPath | kTaskIsShadowed);
+    task.item = isNew ? whichTask * gl_SubgroupSize + gl_SubgroupInvocationID : parked.item;
     loadPixel(work, task);
-    task.hasPath = !isNew && (parked.item & kTaskHasPath) != 0u;
+    task.hasPath = !isNew && parked.hasPath != 0u;
     task.path = unpark(parked, sampleIdOf(pixelOf(work, task), task));
     task.hasRay = task.hasPath;
     task.isOver = false;
@@ -83,17 +83,17 @@ PixelTask resumeTask(TileWork work, uint whichTask) {
     return task;
 }
 
-void putTaskDown(TileWork work, uint whichTask, bool isUnfinished, PixelTask task) {
+void parkTask(TileWork work, uint whichTask, bool isUnfinished, PixelTask task) {
     uvec2 pixel = pixelOf(work, task);
     if (task.hasPixel && isInPicture(pixel))
         imageStore(block, ivec2(pixel), task.sum);
-    parkedPaths[parkingPlace(whichTask)] = park(task, isUnfinished ? work.nextItem : 0u);
+    parkedTasks[parkingPlace(whichTask)] = park(task, isUnfinished ? work.nextItem : 0u);
 }
 
-/// Stores what the lane has, and adds up what the subgroup did. Where a lane got no ray through in
-/// the whole dispatch, its own never will be, or those beside it: the path ends.
-void putDown(TileWork work, inout PixelTask current, inout PixelTask waiting,
-             inout LaneTotals totals) {
+/// Stores what the lane has, and adds up what the subgroup did. Where no ray of a lane came to its
+/// end in the whole dispatch, none would in the next one: the path ends here.
+void parkTile(TileWork work, inout PixelTask current, inout PixelTask waiting,
+              inout LaneTotals totals) {
     bool isCut = current.hasPath && totals.raysEnded == 0u;
     totals.pathsCut += isCut ? 1u : 0u;
     if (isCut || current.isOver)
@@ -101,8 +101,8 @@ void putDown(TileWork work, inout PixelTask current, inout PixelTask waiting,
     if (waiting.isOver)
         endPath(waiting, totals);
     uint unfinished = lanesWhere(current.hasPixel) + lanesWhere(waiting.hasPixel);
-    putTaskDown(work, 0u, unfinished > 0u, current);
-    putTaskDown(work, 1u, unfinished > 0u, waiting);
+    parkTask(work, 0u, unfinished > 0u, current);
+    parkTask(work, 1u, unfinished > 0u, waiting);
     uint rays = subgroupAdd(totals.raysEnded);
     uint paths = subgroupAdd(totals.pathsEnded);
     uint lost = subgroupAdd(totals.pathsLost);

@@ -1,12 +1,12 @@
 #version 460
 // Finds what a list of rays meets, by the loops that the path tracing kernel follows its rays with.
 #extension GL_GOOGLE_include_directive : require
-#extension GL_KHR_shader_subgroup_arithmetic : require
 #extension GL_KHR_shader_subgroup_ballot : require
 
 #include "kernels/lane_rays.glsl"
 #include "shared/ray_structs.h"
 
+layout(local_size_x_id = kConstantSubgroupSize) in;
 layout(push_constant) uniform Parameters { RayListParameters parameters; };
 layout(set = 0, binding = kBindingRays) readonly buffer Rays { ListedRay rays[]; };
 layout(set = 0, binding = kBindingListedHits) writeonly buffer ListedHits { ListedHit hits[]; };
@@ -26,7 +26,7 @@ void main() {
     do {
         bool isThrough = !isUnderWay(traversal) && hasRay;
         if (isThrough && index != kNone)
-            hits[index] = ListedHit(traversal.hit.t, traversal.hit.primitive);
+            hits[index] = ListedHit(traversal.hit.t, traversal.hit.primitive, 0u, 0u);
         uvec4 through = subgroupBallot(isThrough);
         if (isThrough) {
             index = nextRay + subgroupBallotExclusiveBitCount(through);

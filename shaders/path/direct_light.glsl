@@ -2,7 +2,7 @@
 #ifndef CALOTYPE_PATH_DIRECT_LIGHT_GLSL
 #define CALOTYPE_PATH_DIRECT_LIGHT_GLSL
 
-#include "config/transport.glsl"
+#include "config/settings.glsl"
 #include "core/random.glsl"
 #include "lights/light.glsl"
 #include "path/mis.glsl"

@@ -43,33 +43,37 @@ FirstHit firstHitOnNothing() {
     return hit;
 }
 
-/// What the ray through the pixel's middle, from the lens's, meets first. Where it has passed
-/// through kMostPassedSurfaces, or taken `mostIterations` of traverse, what comes next counts as
-/// opaque.
-FirstHitRecord firstHit(Camera camera, uvec2 pixel, uvec2 imageSize, uint mostIterations) {
-    Ray ray = cameraRay(camera, vec2(pixel) + 0.5, imageSize, vec2(0.0));
-    FirstHitRecord record = FirstHitRecord(firstHitOnNothing(), 0u);
-    uint iterations = 0u;
-    uint passed = 0u;
+/// The search for what a pixel shows.
+struct FirstHitSearch {
+    Ray ray;
+    uint passed; ///< surfaces that the ray has passed through
     bool goesOn;
-    do {
-        Hit hit = intersectClosest(ray, iterations);
-        goesOn = false;
-        if (hit.primitive != kNone) {
-            Interaction surface = interactionAt(hit, ray);
-            bool seenThrough = isSeenThrough(surface);
-            bool mayGoOn = passed < kMostPassedSurfaces && iterations < mostIterations;
-            goesOn = seenThrough && mayGoOn;
-            ray.origin = goesOn ? pointBeyond(surface, ray.direction) : ray.origin;
-            if (!goesOn) {
-                record.hit = firstHitOn(surface, camera, -ray.direction);
-                record.isCut = seenThrough ? 1u : 0u;
-            }
+    FirstHitRecord record;
+};
+
+/// The ray goes through the middles of the pixel and of the lens.
+FirstHitSearch startFirstHit(Camera camera, uvec2 pixel, uvec2 imageSize) {
+    Ray ray = cameraRay(camera, vec2(pixel) + 0.5, imageSize, vec2(0.0));
+    return FirstHitSearch(ray, 0u, true, FirstHitRecord(firstHitOnNothing(), 0u));
+}
+
+/// Takes in what the ray met. Where it has passed through kMostPassedSurfaces, or `mayGoOn` is
+/// false, the search ends there, and its record says that it was cut.
+void extendFirstHit(inout FirstHitSearch search, Hit hit, Camera camera, bool mayGoOn) {
+    search.goesOn = false;
+    if (hit.primitive != kNone) {
+        Interaction surface = interactionAt(hit, search.ray);
+        bool seenThrough = isSeenThrough(surface);
+        mayGoOn = mayGoOn && search.passed < kMostPassedSurfaces;
+        search.goesOn = seenThrough && mayGoOn;
+        if (search.goesOn) {
+            search.ray.origin = pointBeyond(surface, search.ray.direction);
+        } else {
+            search.record.hit = firstHitOn(surface, camera, -search.ray.direction);
+            search.record.isCut = seenThrough ? 1u : 0u;
         }
-        passed++;
-        iterations++;
-    } while (goesOn);
-    return record;
+    }
+    search.passed++;
 }
 
 #endif

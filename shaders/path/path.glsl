@@ -1,45 +1,15 @@
-// A light path, one scattering event at a time (report section on light transport, with its two
-// estimates of direct light weighted by their densities instead of divided by both).
+// A light path, one ray at a time (docs/models.md, "Light transport"). After each ray the path
+// takes one of these steps:
+//     pathMiss           its ray left the scene
+//     pathSurface        its ray met a surface
+//     pathShadow         its shadow ray reached the light, or something opaque before it
+//     pathShadowThrough  its shadow ray met a surface that lets a part of the light through
+// Each sets the next ray and returns true, or returns false where the path ends.
 #ifndef CALOTYPE_PATH_PATH_GLSL
 #define CALOTYPE_PATH_PATH_GLSL
 
-#include "config/sampler.glsl"
-#include "config/transport.glsl"
-#include "film/film_filter.glsl"
-#include "path/camera.glsl"
 #include "path/direct_light.glsl"
-
-struct Path {
-    SampleId id;
-    Ray ray;         ///< to be followed next; its direction is a unit vector
-    vec3 vertex;     ///< where the last event sent the path from; the ray may have gone on since
-    vec3 throughput; ///< product of the weights so far
-    vec3 radiance;   ///< found so far
-    uint bounce;     ///< scattering events so far
-    float bsdfPdf;   ///< density per solid angle of the path's direction, after an event
-    float etaScale;  ///< undoes what crossing into glass took off `throughput`
-
-    // While `ray` looks for what stands between the surface and a light:
-    bool isShadowed; ///< it does
-    uint target;     ///< the light's primitive, which the ray passes by; else kNone
-    vec3 arriving;   ///< what it finds if nothing stands there
-    vec3 direction;  ///< in which the path goes on from its vertex
-};
-
-struct PathLimits {
-    uint maxBounces;
-    uint lightCount;
-    float indirectClamp;  ///< as in RenderParameters
-    uint backgroundLight; ///< likewise
-};
-
-Path startPath(SampleId id, Camera camera, uvec2 imageSize) {
-    vec4 u = samplerNumbers(id, kDimensionCamera);
-    vec2 filmPosition = vec2(id.pixel) + sampleFilm(camera, u.xy);
-    Ray ray = cameraRay(camera, filmPosition, imageSize, u.zw);
-    return Path(id, ray, ray.origin, vec3(1.0), vec3(0.0), 0u, 0.0, 1.0, false, kNone, vec3(0.0),
-                vec3(0.0));
-}
+#include "path/path_state.glsl"
 
 /// Weight of light found at the end of the path's ray. After a scattering event the same light
 /// could have been found by directLight, with density `lightPdf`, so the two share it, or without
@@ -52,13 +22,55 @@ float bsdfWeight(Path path, float lightPdf) {
     return path.bsdfPdf >= kSpecularPdf || lightPdf == 0.0 ? 1.0 : 0.0;
 }
 
-/// Adds light that the path found.
-void addRadiance(inout Path path, vec3 found, PathLimits limits) {
-    if (clampsIndirect && path.bounce >= 2u) {
-        float most = greatest(found);
-        found *= most > limits.indirectClamp ? limits.indirectClamp / most : 1.0;
+/// Light that comes from infinitely far away.
+vec3 infiniteLight(Path path, Light light) {
+    float pdf = infiniteLightPdf(light, path.rayDirection) * light.selectionProbability;
+    return infiniteLightRadiance(light, path.rayDirection) * bsdfWeight(path, pdf);
+}
+
+bool pathMiss(inout Path path, PathLimits limits) {
+    if (hasBackground && limits.backgroundLight != kNone)
+        addRadiance(path, path.throughput * infiniteLight(path, loadLight(limits.backgroundLight)),
+                    limits);
+    return false;
+}
+
+/// Light that the surface emits towards the ray's origin.
+vec3 emittedLight(Path path, Interaction surface, Light light) {
+    vec3 reference = hasAlpha ? path.vertex : path.rayOrigin;
+    LightPoint point = lightPoint(path.rayDirection, surface.position, surface.ng);
+    float pdf = areaLightPdf(light, reference, point);
+    return areaLightRadiance(light, point) * bsdfWeight(path, pdf * light.selectionProbability);
+}
+
+/// What a ray met.
+struct MetSurface {
+    Interaction surface;
+    Material material;
+    float alpha; ///< share of the light that meets the surface; the rest passes through
+};
+
+MetSurface surfaceAt(Hit hit, Ray ray) {
+    Interaction surface = interactionAt(hit, ray);
+    Material material = materialOf(surface);
+    float alpha = 1.0;
+    if (hasAlpha && hit.isTransparent)
+        alpha = alphaAt(material, surface.coordinates.uv);
+    return MetSurface(surface, material, alpha);
+}
+
+/// True where the path goes on as if the surface were not there. A ray that enters and leaves the
+/// same primitive meets it twice, so its sides have random numbers of their own.
+bool passesThrough(Path path, MetSurface met) {
+    Interaction surface = met.surface;
+    bool passes = path.bounce == 0u && isHiddenFromCamera(surface.light);
+    if (hasAlpha && isTransparent(surface.material)) {
+        uint fromBehind = dot(path.rayDirection, surface.ng) > 0.0 ? 1u : 0u;
+        float u = uniformRandomOf(path.id, bounceDimension(path.bounce, kDimensionAlpha),
+                                  2u * surface.id + fromBehind);
+        passes = passes || u >= met.alpha;
     }
-    path.radiance += found;
+    return passes;
 }
 
 /// Ends a path of little throughput by chance, and makes up for it where the path goes on (Arvo and
@@ -71,109 +83,46 @@ void playRoulette(inout Path path, float u) {
     path.throughput = u >= survival ? vec3(0.0) : path.throughput / survival;
 }
 
-/// Light that comes from infinitely far away.
-vec3 infiniteLight(Path path, Light light) {
-    float pdf = infiniteLightPdf(light, path.ray.direction) * light.selectionProbability;
-    return infiniteLightRadiance(light, path.ray.direction) * bsdfWeight(path, pdf);
-}
-
-/// Light that the surface emits towards the ray's origin.
-vec3 emittedLight(Path path, Interaction surface, Light light) {
-    vec3 reference = hasAlpha ? path.vertex : path.ray.origin;
-    LightPoint point = lightPoint(path.ray.direction, surface.position, surface.ng);
-    float pdf = areaLightPdf(light, reference, point);
-    return areaLightRadiance(light, point) * bsdfWeight(path, pdf * light.selectionProbability);
-}
-
-/// True where the path goes on as if the surface, which `alpha` of all light meets, were not there.
-/// A ray that enters and leaves the same primitive asks twice, so the sides have numbers of their
-/// own.
-bool passesThrough(Path path, Interaction surface, float alpha) {
-    bool passes = path.bounce == 0u && isHiddenFromCamera(surface.light);
-    if (hasAlpha && isTransparent(surface.material)) {
-        uint fromBehind = dot(path.ray.direction, surface.ng) > 0.0 ? 1u : 0u;
-        float u = uniformRandomOf(path.id, bounceDimension(path.bounce, kDimensionAlpha),
-                                  2u * surface.id + fromBehind);
-        passes = passes || u >= alpha;
-    }
-    return passes;
-}
-
-/// The path goes on from its vertex. False where nothing that it could find would count.
-bool goOn(inout Path path) {
-    path.ray = Ray(path.vertex, kFar, path.direction);
-    path.isShadowed = false;
-    path.target = kNone;
-    return greatest(path.throughput) > 0.0;
-}
-
-/// Asks for light at the surface and scatters the path there. False where it ends.
+/// Samples a light and the path's next direction. The next ray is a shadow ray if light may arrive.
 bool scatter(inout Path path, Interaction surface, Material material, PathLimits limits) {
-    vec3 wo = -path.ray.direction;
+    vec3 wo = -path.rayDirection;
     SurfaceParameters parameters = surfaceParameters(material, surface);
     Bsdf bsdf = makeBsdf(parameters, surface.ng, surface.ns, surface.horizon, wo);
     Departure from = departureFrom(surface, bsdf.ng);
-    DirectLight light = DirectLight(path.ray, kNone, vec3(0.0));
+
+    // Light from one emitter, before the throughput is that of the next direction.
+    DirectLight light = DirectLight(pathRay(path), kNone, vec3(0.0));
     if (hasLights && !isSpecular(bsdf)) {
         vec4 uLight = samplerNumbers(path.id, bounceDimension(path.bounce, kDimensionLight));
         light = directLight(bsdf, from, uLight, limits.lightCount);
     }
     path.arriving = path.throughput * light.radiance;
+
+    // The next direction.
     vec4 u = samplerNumbers(path.id, bounceDimension(path.bounce, kDimensionBsdf));
     BsdfSample scattered = sampleBsdf(bsdf, u.xyz);
     path.throughput *= scattered.weight;
     if (hasDielectrics && scattered.crosses)
         path.etaScale *= scattered.eta * scattered.eta;
     path.vertex = scattered.crosses ? from.farSide : from.viewerSide;
-    path.direction = scattered.wi;
+    path.nextDirection = scattered.wi;
     path.bsdfPdf = scattered.pdf;
     path.bounce++;
     if (usesRoulette)
         playRoulette(path, u.w);
-    bool goesOn = goOn(path);
+
+    bool goesOn = leaveVertex(path);
     if (greatest(path.arriving) > 0.0) {
-        path.ray = light.ray;
-        path.isShadowed = true;
-        path.target = light.target;
+        setRay(path, light.ray, kShadowRay, light.target);
         goesOn = true;
     }
     return goesOn;
 }
 
-/// Takes in whether the ray to a light arrived, and goes on in the path's own direction. False
-/// where the path ends.
-bool reachLight(inout Path path, Hit hit, PathLimits limits) {
-    addRadiance(path, hit.primitive == kNone ? path.arriving : vec3(0.0), limits);
-    return goOn(path);
-}
-
-/// The ray to a light goes on behind a surface that keeps `alpha` of its light.
-bool passShadow(inout Path path, Interaction surface, float alpha) {
-    path.arriving *= 1.0 - alpha;
-    path.ray = rayBeyond(surface, path.ray);
-    return greatest(path.arriving) > 0.0 || goOn(path);
-}
-
-/// Takes in what the path's ray met, if anything, and sets its next ray. False where the path ends.
-bool extendPath(inout Path path, Hit hit, PathLimits limits) {
-    if (hasLights && path.isShadowed && !(hasAlpha && hit.isTransparent))
-        return reachLight(path, hit, limits);
-    if (hit.primitive == kNone) {
-        if (hasBackground && limits.backgroundLight != kNone)
-            addRadiance(path,
-                        path.throughput * infiniteLight(path, loadLight(limits.backgroundLight)),
-                        limits);
-        return false;
-    }
-    Interaction surface = interactionAt(hit, path.ray);
-    Material material = materialOf(surface);
-    float alpha = 1.0;
-    if (hasAlpha && hit.isTransparent)
-        alpha = alphaAt(material, surface.coordinates.uv);
-    if (hasAlpha && path.isShadowed)
-        return passShadow(path, surface, alpha);
-    if (passesThrough(path, surface, alpha)) {
-        path.ray.origin = pointBeyond(surface, path.ray.direction);
+bool pathSurface(inout Path path, MetSurface met, PathLimits limits) {
+    Interaction surface = met.surface;
+    if (passesThrough(path, met)) {
+        path.rayOrigin = pointBeyond(surface, path.rayDirection);
         return true;
     }
     if (hasLights && surface.light != kNone)
@@ -181,7 +130,31 @@ bool extendPath(inout Path path, Hit hit, PathLimits limits) {
                     limits);
     if (path.bounce == limits.maxBounces)
         return false;
-    return scatter(path, surface, material, limits);
+    return scatter(path, surface, met.material, limits);
+}
+
+bool pathShadow(inout Path path, bool isLit, PathLimits limits) {
+    addRadiance(path, isLit ? path.arriving : vec3(0.0), limits);
+    return leaveVertex(path);
+}
+
+bool pathShadowThrough(inout Path path, MetSurface met) {
+    path.arriving *= 1.0 - met.alpha;
+    setRay(path, rayBeyond(met.surface, pathRay(path)), kShadowRay, path.target);
+    return greatest(path.arriving) > 0.0 || leaveVertex(path);
+}
+
+/// Takes the step that follows from what the path's ray was for and what it met.
+bool stepPath(inout Path path, Hit hit, PathLimits limits) {
+    bool isTranslucent = hasAlpha && hit.isTransparent;
+    if (hasShadowRay(path) && !isTranslucent)
+        return pathShadow(path, hit.primitive == kNone, limits);
+    if (hit.primitive == kNone)
+        return pathMiss(path, limits);
+    MetSurface met = surfaceAt(hit, pathRay(path));
+    if (hasAlpha && hasShadowRay(path))
+        return pathShadowThrough(path, met);
+    return pathSurface(path, met, limits);
 }
 
 #endif

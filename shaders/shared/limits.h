@@ -15,9 +15,6 @@ CALOTYPE_CONSTANT uint kReplicas = 8;
 /// Pixels on a side of the square tile that one workgroup owns.
 CALOTYPE_CONSTANT uint kTileSize = 16;
 
-/// Pixels that a lane works at in turns: current and waiting one of kernels/path_trace.comp.
-CALOTYPE_CONSTANT uint kTasksPerLane = 2;
-
 /// Tiles that one dispatch renders, which any device takes as workgroups.
 CALOTYPE_CONSTANT uint kMostTilesPerDispatch = 65535;
 

@@ -7,7 +7,7 @@
 
 #include "kernels/camera_ray.spv.h"
 #include "pack/pack_camera.h"
-#include "shared/bindings.h"
+#include "shared/specialization.h"
 #include "support/chi_square.h"
 #include "support/device_numbers.h"
 #include "support/gpu_test.h"

@@ -2,6 +2,7 @@
 #include <cstring>
 
 #include "kernels/layout_echo.spv.h"
+#include "kernels/parked_task.h"
 #include "render/scene_buffers.h"
 #include "shared/bindings.h"
 #include "shared/layers.h"
@@ -43,15 +44,13 @@ class Layout : public GpuTest {};
 TEST_F(Layout, IsTheSameInHostAndKernel) {
     DistinctWords distinct;
     GpuScene scene;
-    scene.nodes = {{}, distinct.make<shared::BvhNode>()};
-    scene.triangles = {{}, distinct.make<shared::Triangle>()};
-    scene.triangleNormals = {{}, distinct.make<shared::TriangleNormals>()};
-    scene.triangleUvs = {{}, distinct.make<shared::TriangleUvs>()};
-    scene.quadrics = {{}, distinct.make<shared::Quadric>()};
-    scene.materials = {{}, distinct.make<shared::Material>()};
-    scene.textures = {{}, distinct.make<shared::Texture>()};
+#define BEGIN_BINDINGS
+#define SCENE_ARRAY(id, type, member, people) scene.member = {{}, distinct.make<shared::type>()};
+#define SCENE_ROWS(id, member, people)
+#define BINDING(id)
+#define END_BINDINGS
+#include "shared/binding_table.h"
     scene.texelRows = {{}};
-    scene.lights = {{}, distinct.make<shared::Light>()};
     const auto quantiles = distinct.make<std::array<float, 4>>();
     scene.filterQuantiles = {quantiles.begin(), quantiles.end()};
     const auto camera = distinct.make<shared::Camera>();
@@ -60,12 +59,11 @@ TEST_F(Layout, IsTheSameInHostAndKernel) {
         shared::FirstHitParameters firstHit;
     } parameters{};
     parameters.render = distinct.make<shared::RenderParameters>();
-    const auto counters = distinct.make<shared::RenderCounters>();
     parameters.firstHit = distinct.make<shared::FirstHitParameters>();
+    const auto rayList = distinct.make<shared::RayListParameters>();
+    const auto counters = distinct.make<shared::RenderCounters>();
     const std::array records = {shared::FirstHitRecord{}, distinct.make<shared::FirstHitRecord>()};
-
-    const std::array parked = {shared::ParkedPath{}, distinct.make<shared::ParkedPath>()};
-
+    const std::array parked = {shared::ParkedTask{}, distinct.make<shared::ParkedTask>()};
     const std::array rays = {shared::ListedRay{}, distinct.make<shared::ListedRay>()};
     const std::array hits = {shared::ListedHit{}, distinct.make<shared::ListedHit>()};
 
@@ -73,27 +71,26 @@ TEST_F(Layout, IsTheSameInHostAndKernel) {
     const SceneBuffers buffers(device, scene);
     const Buffer cameraBuffer = uploadBuffer(device, std::as_bytes(std::span(&camera, 1)),
                                              vk::BufferUsageFlagBits::eUniformBuffer, "camera");
-    const Buffer countersBuffer = uploadBuffer(device, std::as_bytes(std::span(&counters, 1)),
-                                               vk::BufferUsageFlagBits::eStorageBuffer, "counters");
-    const Buffer recordsBuffer =
-        uploadBuffer(device, std::as_bytes(std::span(records)),
-                     vk::BufferUsageFlagBits::eStorageBuffer, "first hits");
-    const Buffer parkedBuffer =
-        uploadBuffer(device, std::as_bytes(std::span(parked)),
-                     vk::BufferUsageFlagBits::eStorageBuffer, "parked paths");
-    const Buffer raysBuffer = uploadBuffer(device, std::as_bytes(std::span(rays)),
-                                           vk::BufferUsageFlagBits::eStorageBuffer, "rays");
-    const Buffer hitsBuffer = uploadBuffer(device, std::as_bytes(std::span(hits)),
-                                           vk::BufferUsageFlagBits::eStorageBuffer, "hits");
+    const auto storage = [&](const auto& contents, const char* name) {
+        return uploadBuffer(device, std::as_bytes(std::span(contents)),
+                            vk::BufferUsageFlagBits::eStorageBuffer, name);
+    };
+    const Buffer rayListBuffer = storage(std::span(&rayList, 1), "parameters of a ray list");
+    const Buffer countersBuffer = storage(std::span(&counters, 1), "counters");
+    const Buffer recordsBuffer = storage(records, "first hits");
+    const Buffer parkedBuffer = storage(parked, "parked tasks");
+    const Buffer raysBuffer = storage(rays, "rays");
+    const Buffer hitsBuffer = storage(hits, "hits");
     const Buffer echo(device, distinct.words().size() * sizeof(uint32_t),
                       vk::BufferUsageFlagBits::eStorageBuffer, Buffer::Memory::Host, "echo");
     std::vector<Binding> bindings = buffers.bindings();
     bindings.push_back(Binding::uniformBuffer(shared::kBindingCamera, cameraBuffer));
     bindings.push_back(Binding::storageBuffer(shared::kBindingCounters, countersBuffer));
     bindings.push_back(Binding::storageBuffer(shared::kBindingFirstHits, recordsBuffer));
-    bindings.push_back(Binding::storageBuffer(shared::kBindingParkedPaths, parkedBuffer));
+    bindings.push_back(Binding::storageBuffer(shared::kBindingParkedTasks, parkedBuffer));
     bindings.push_back(Binding::storageBuffer(shared::kBindingRays, raysBuffer));
     bindings.push_back(Binding::storageBuffer(shared::kBindingListedHits, hitsBuffer));
+    bindings.push_back(Binding::storageBuffer(shared::kBindingTestInputs, rayListBuffer));
     bindings.push_back(Binding::storageBuffer(shared::kBindingTestOutputs, echo));
     const ComputePipeline pipeline(device, {.name = "layout echo",
                                             .spirv = kLayoutEchoSpirv,

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "shared/bindings.h"
+#include "shared/specialization.h"
 
 namespace calotype::test {
 namespace {
@@ -109,71 +109,78 @@ void darken(Scene& scene) {
 
 void darkenDisk(Scene& scene) { scene.materials.back().emission = glm::dvec3(0.0); }
 
+/// The two functions of a FeatureCase.
+struct CaseOfFeature {
+    SceneChange change;
+    std::function<void(Scene&)> removal = {};
+};
+
+const CaseOfFeature kTrianglesCase = {camera([](Scene&) {}),
+                                      [](Scene& scene) { scene.shapes.clear(); }};
+const CaseOfFeature kSmoothNormalsCase = {addSmoothTriangle};
+const CaseOfFeature kSpheresCase = {shape(kBall)};
+const CaseOfFeature kCylindersCase = {shape(kCan)};
+const CaseOfFeature kConesCase = {shape(kHat)};
+const CaseOfFeature kDisksCase = {shape(kPlate)};
+const CaseOfFeature kManyQuadricsCase = {
+    addBalls, [](Scene& scene) { scene.shapes.resize(litFloor().scene().shapes.size()); }};
+const CaseOfFeature kTriangleLightsCase = {camera([](Scene&) {}), darken};
+const CaseOfFeature kSphereLightsCase = {light(kBall)};
+const CaseOfFeature kCylinderLightsCase = {light(kCan)};
+const CaseOfFeature kConeLightsCase = {light(kHat)};
+const CaseOfFeature kDiskLightsCase = {light(kPlate), darkenDisk};
+const CaseOfFeature kHiddenLightsCase = {camera(hideLamp)};
+const CaseOfFeature kLightAlphaCase = {
+    camera([](Scene& scene) { scene.materials[kLamp].opacity = 0.5; })};
+const CaseOfFeature kBackgroundCase = {camera([](Scene& scene) {
+                                           scene.background = {0.3, 0.4, 0.5};
+                                       }),
+                                       [](Scene& scene) { scene.background = glm::dvec3(0.0); }};
+const CaseOfFeature kDiffuseCase = {camera([](Scene&) {})};
+const CaseOfFeature kGgxCase = {ball(ofType(MaterialType::Nonmetal))};
+const CaseOfFeature kMirrorsCase = {[](SceneBuilder& builder) {
+    Material chrome = ofType(MaterialType::Metal);
+    chrome.roughness = 0.0;
+    addBall(builder, chrome, -0.6);
+    chrome.type = MaterialType::Nonmetal;
+    addBall(builder, chrome, 0.6);
+}};
+const CaseOfFeature kBlinnPhongCase = {ball(ofType(MaterialType::BlinnPhong))};
+const CaseOfFeature kDielectricsCase = {ball(ofType(MaterialType::Dielectric))};
+const CaseOfFeature kColorTexturesCase = {
+    floorTexture(&Material::colorTexture, noiseTexture(false))};
+const CaseOfFeature kRoughnessTexturesCase = {
+    floorTexture(&Material::roughnessTexture, noiseTexture(false), MaterialType::Nonmetal)};
+const CaseOfFeature kSpecularTexturesCase = {
+    floorTexture(&Material::specularTexture, noiseTexture(false), MaterialType::Nonmetal)};
+const CaseOfFeature kNormalMapsCase = {
+    floorTexture(&Material::normalMap, noiseTexture(false), MaterialType::Metal)};
+const CaseOfFeature kAlphaCase = {floorTexture(&Material::alphaTexture, noiseTexture(false, true))};
+const CaseOfFeature kByteTexelsCase = {floorTexture(&Material::colorTexture, noiseTexture(false))};
+const CaseOfFeature kFloatTexelsCase = {floorTexture(&Material::colorTexture, noiseTexture(true))};
+const CaseOfFeature kCheckersCase = {
+    floorTexture(&Material::colorTexture,
+                 {"checker", CheckerTexture{{glm::dvec3(0.2), glm::dvec3(0.9)}}, {8.0, 8.0}}),
+    [](Scene& scene) { scene.materials[kFloor].colorTexture = Material::kNoTexture; }};
+const CaseOfFeature kFilterCase = {
+    camera([](Scene& scene) { scene.film.filter = FilmFilter::BlackmanHarris; })};
+const CaseOfFeature kLensCase = {camera([](Scene& scene) {
+    scene.camera.lensRadius = 0.1;
+    scene.camera.focusDistance = 3.0;
+})};
+const CaseOfFeature kOrthographicCase = {camera([](Scene& scene) {
+    scene.camera.projection = Projection::Orthographic;
+    scene.camera.viewHeight = 3.0;
+    scene.camera.position = {0.0, 2.0, 2.0};
+    scene.camera.forward = {0.0, -0.8, -0.6};
+    scene.camera.up = {0.0, 0.6, -0.8};
+})};
+
 const FeatureCase kCases[] = {
-    {shared::kFeatureTriangles, "Triangles", camera([](Scene&) {}),
-     [](Scene& scene) { scene.shapes.clear(); }},
-    {shared::kFeatureSmoothNormals, "SmoothNormals", addSmoothTriangle},
-    {shared::kFeatureSpheres, "Spheres", shape(kBall)},
-    {shared::kFeatureCylinders, "Cylinders", shape(kCan)},
-    {shared::kFeatureCones, "Cones", shape(kHat)},
-    {shared::kFeatureDisks, "Disks", shape(kPlate)},
-    {shared::kFeatureManyQuadrics, "ManyQuadrics", addBalls,
-     [](Scene& scene) { scene.shapes.resize(litFloor().scene().shapes.size()); }},
-    {shared::kFeatureTriangleLights, "TriangleLights", camera([](Scene&) {}), darken},
-    {shared::kFeatureSphereLights, "SphereLights", light(kBall)},
-    {shared::kFeatureCylinderLights, "CylinderLights", light(kCan)},
-    {shared::kFeatureConeLights, "ConeLights", light(kHat)},
-    {shared::kFeatureDiskLights, "DiskLights", light(kPlate), darkenDisk},
-    {shared::kFeatureHiddenLights, "HiddenLights", camera(hideLamp)},
-    {shared::kFeatureLightAlpha, "LightAlpha",
-     camera([](Scene& scene) { scene.materials[kLamp].opacity = 0.5; })},
-    {shared::kFeatureBackground, "Background", camera([](Scene& scene) {
-         scene.background = {0.3, 0.4, 0.5};
-     }),
-     [](Scene& scene) { scene.background = glm::dvec3(0.0); }},
-    {shared::kFeatureDiffuse, "Diffuse", camera([](Scene&) {})},
-    {shared::kFeatureGgx, "Ggx", ball(ofType(MaterialType::Nonmetal))},
-    {shared::kFeatureMirrors, "Mirrors",
-     [](SceneBuilder& builder) {
-         Material chrome = ofType(MaterialType::Metal);
-         chrome.roughness = 0.0;
-         addBall(builder, chrome, -0.6);
-         chrome.type = MaterialType::Nonmetal;
-         addBall(builder, chrome, 0.6);
-     }},
-    {shared::kFeatureBlinnPhong, "BlinnPhong", ball(ofType(MaterialType::BlinnPhong))},
-    {shared::kFeatureDielectrics, "Dielectrics", ball(ofType(MaterialType::Dielectric))},
-    {shared::kFeatureColorTextures, "ColorTextures",
-     floorTexture(&Material::colorTexture, noiseTexture(false))},
-    {shared::kFeatureRoughnessTextures, "RoughnessTextures",
-     floorTexture(&Material::roughnessTexture, noiseTexture(false), MaterialType::Nonmetal)},
-    {shared::kFeatureSpecularTextures, "SpecularTextures",
-     floorTexture(&Material::specularTexture, noiseTexture(false), MaterialType::Nonmetal)},
-    {shared::kFeatureNormalMaps, "NormalMaps",
-     floorTexture(&Material::normalMap, noiseTexture(false), MaterialType::Metal)},
-    {shared::kFeatureAlpha, "Alpha",
-     floorTexture(&Material::alphaTexture, noiseTexture(false, true))},
-    {shared::kFeatureByteTexels, "ByteTexels",
-     floorTexture(&Material::colorTexture, noiseTexture(false))},
-    {shared::kFeatureFloatTexels, "FloatTexels",
-     floorTexture(&Material::colorTexture, noiseTexture(true))},
-    {shared::kFeatureCheckers, "Checkers",
-     floorTexture(&Material::colorTexture,
-                  {"checker", CheckerTexture{{glm::dvec3(0.2), glm::dvec3(0.9)}}, {8.0, 8.0}}),
-     [](Scene& scene) { scene.materials[kFloor].colorTexture = Material::kNoTexture; }},
-    {shared::kFeatureFilter, "Filter",
-     camera([](Scene& scene) { scene.film.filter = FilmFilter::BlackmanHarris; })},
-    {shared::kFeatureLens, "Lens", camera([](Scene& scene) {
-         scene.camera.lensRadius = 0.1;
-         scene.camera.focusDistance = 3.0;
-     })},
-    {shared::kFeatureOrthographic, "Orthographic", camera([](Scene& scene) {
-         scene.camera.projection = Projection::Orthographic;
-         scene.camera.viewHeight = 3.0;
-         scene.camera.position = {0.0, 2.0, 2.0};
-         scene.camera.forward = {0.0, -0.8, -0.6};
-         scene.camera.up = {0.0, 0.6, -0.8};
-     })},
+#define BEGIN_FEATURES
+#define FEATURE(id, people) {shared::kFeature##id, #id, k##id##Case.change, k##id##Case.removal},
+#define END_FEATURES
+#include "shared/feature_table.h"
 };
 
 } // namespace

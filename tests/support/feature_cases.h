@@ -28,7 +28,7 @@ inline void PrintTo(const FeatureCase& featureCase, std::ostream* stream) {
     *stream << featureCase.name;
 }
 
-/// At least one for every feature.
+/// One for every feature of shared/feature_table.h.
 std::span<const FeatureCase> featureCases();
 
 } // namespace calotype::test

@@ -10,6 +10,7 @@
 #include "gpu/compute_pipeline.h"
 #include "gpu/device.h"
 #include "gpu/instance.h"
+#include "shared/bindings.h"
 
 namespace calotype::test {
 
@@ -22,6 +23,9 @@ class GpuTest : public testing::Test {
 protected:
     void TearDown() override;
 };
+
+/// First binding of the input and output arrays in kernels that include buffers/packed_scene.glsl.
+inline constexpr uint32_t kTestInputBinding = shared::kBindingCount;
 
 /// A test kernel that maps an array of inputs to an array of outputs.
 ///
@@ -50,8 +54,5 @@ std::vector<Out> runKernel(std::span<const uint32_t> spirv, const std::vector<In
     const std::span<Out> results = out.mapped<Out>();
     return {results.begin(), results.end()};
 }
-
-/// First binding of the input and output arrays in kernels that include buffers/packed_scene.glsl.
-inline constexpr uint32_t kTestInputBinding = 20;
 
 } // namespace calotype::test

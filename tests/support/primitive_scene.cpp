@@ -20,16 +20,14 @@ void fillIfEmpty(std::vector<T>& array) {
 
 /// Every array of a packed scene holds at least one element.
 GpuScene complete(GpuScene scene) {
-    fillIfEmpty(scene.nodes);
-    fillIfEmpty(scene.triangles);
+#define BEGIN_BINDINGS
+#define SCENE_ARRAY(id, type, member, people) SCENE_ROWS(id, member, people)
+#define SCENE_ROWS(id, member, people) fillIfEmpty(scene.member);
+#define BINDING(id)
+#define END_BINDINGS
+#include "shared/binding_table.h"
     scene.triangleNormals.resize(scene.triangles.size());
     scene.triangleUvs.resize(scene.triangles.size());
-    fillIfEmpty(scene.quadrics);
-    fillIfEmpty(scene.materials);
-    fillIfEmpty(scene.textures);
-    fillIfEmpty(scene.texelRows);
-    fillIfEmpty(scene.lights);
-    fillIfEmpty(scene.filterQuantiles);
     return scene;
 }
 

@@ -30,7 +30,7 @@ public:
         uint32_t pad;
     };
 
-    /// traverse: each ray meets everything but its own primitive.
+    /// traceRay: each ray meets everything but its own primitive.
     std::vector<Traversed> traverse(const std::vector<shared::TestRay>& rays) const;
 
 private:

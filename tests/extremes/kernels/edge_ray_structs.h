@@ -2,12 +2,12 @@
 #ifndef CALOTYPE_EDGE_RAY_STRUCTS_H
 #define CALOTYPE_EDGE_RAY_STRUCTS_H
 
-#include "shared/types.h"
+#include "shared/bindings.h"
 
 CALOTYPE_BEGIN_SHARED
 
-CALOTYPE_CONSTANT uint kBindingEdgeBatches = 16;
-CALOTYPE_CONSTANT uint kBindingEdgeEscapes = 17;
+CALOTYPE_CONSTANT uint kBindingEdgeBatches = kBindingCount;
+CALOTYPE_CONSTANT uint kBindingEdgeEscapes = kBindingCount + 1;
 
 /// Rays that one invocation casts: few enough that their traversals stay below the 65,535 loop
 /// iterations that llvmpipe grants.

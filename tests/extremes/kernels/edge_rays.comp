@@ -1,12 +1,13 @@
 #version 460
 // Rays inside a closed mesh, aimed at corners and at points of edges: how many find no surface.
+// They are traced by the loops that the rendering kernels trace theirs with.
 #extension GL_GOOGLE_include_directive : require
-#extension GL_KHR_shader_subgroup_arithmetic : require
+#extension GL_KHR_shader_subgroup_ballot : require
 
-#include "accel/traversal.glsl"
 #include "core/random.glsl"
 #include "core/warp.glsl"
 #include "extremes/kernels/edge_ray_structs.h"
+#include "kernels/lane_rays.glsl"
 
 layout(local_size_x = 64) in;
 layout(set = 0, binding = kBindingEdgeBatches) readonly buffer Inputs { EdgeBatch batches[]; };
@@ -35,21 +36,23 @@ vec3 someTarget(EdgeBatch batch, vec4 u) {
 
 void main() {
     uint i = gl_GlobalInvocationID.x;
-    if (i >= batches.length())
-        return;
-    EdgeBatch batch = batches[i];
+    bool isActive = i < batches.length();
+    EdgeBatch batch = batches[isActive ? i : 0u];
     EdgeEscapes result = EdgeEscapes(vec3(0.0), 0u, vec3(0.0), 0u);
+    IterationCount count = IterationCount(0u, ~0u);
     for (uint number = 0u; number < kRaysPerEdgeBatch; ++number) {
         SampleId id = SampleId(uvec2(i & 0xFFFFu, i >> 16u), number, batch.seed);
         vec3 origin = someOrigin(batch, uniformRandom(id, 0u));
         vec3 direction = someTarget(batch, uniformRandom(id, 1u)) - origin;
         direction = batch.hasUnitRays != 0u ? normalize(direction) : direction;
-        Hit hit = intersectClosest(Ray(origin, kFar, direction), result.iterations);
+        Hit hit = traceRay(Ray(origin, kFar, direction), isActive, false, kNone, count);
         bool escaped = hit.primitive == kNone;
         result.count += escaped ? 1u : 0u;
         result.origin = escaped ? origin : result.origin;
         result.direction = escaped ? direction : result.direction;
-        result.iterations++;
+        countIteration(count);
     }
-    escapes[i] = result;
+    result.iterations = count.passes;
+    if (isActive)
+        escapes[i] = result;
 }

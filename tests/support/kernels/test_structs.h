@@ -2,14 +2,15 @@
 #ifndef CALOTYPE_TEST_STRUCTS_H
 #define CALOTYPE_TEST_STRUCTS_H
 
+#include "shared/bindings.h"
 #include "shared/scene_structs.h"
 #include "shared/types.h"
 
 CALOTYPE_BEGIN_SHARED
 
 /// First bindings of the arrays in kernels that include buffers/packed_scene.glsl.
-CALOTYPE_CONSTANT uint kBindingTestInputs = 20;
-CALOTYPE_CONSTANT uint kBindingTestOutputs = 21;
+CALOTYPE_CONSTANT uint kBindingTestInputs = kBindingCount;
+CALOTYPE_CONSTANT uint kBindingTestOutputs = kBindingCount + 1;
 
 struct TestRay {
     vec3 origin;

@@ -1,9 +1,9 @@
 #version 460
-// Rays through the BVH.
+// Rays through the BVH, by the loops that the rendering kernels trace theirs with.
 #extension GL_GOOGLE_include_directive : require
-#extension GL_KHR_shader_subgroup_arithmetic : require
+#extension GL_KHR_shader_subgroup_ballot : require
 
-#include "accel/traversal.glsl"
+#include "kernels/lane_rays.glsl"
 #include "support/kernels/test_structs.h"
 
 layout(local_size_x = 64) in;
@@ -12,11 +12,11 @@ layout(set = 0, binding = kBindingTestOutputs) writeonly buffer Outputs { uvec4 
 
 void main() {
     uint i = gl_GlobalInvocationID.x;
-    if (i >= rays.length())
-        return;
-    TestRay test = rays[i];
-    uint iterations = 0u;
+    bool isActive = i < rays.length();
+    TestRay test = rays[isActive ? i : 0u];
     Ray ray = Ray(test.origin, test.tMax, test.direction);
-    Hit hit = traverse(ray, test.anyHit != 0u, test.primitive, iterations);
-    hits[i] = uvec4(floatBitsToUint(hit.t), hit.primitive, iterations, 0u);
+    IterationCount count = IterationCount(0u, ~0u);
+    Hit hit = traceRay(ray, isActive, test.anyHit != 0u, test.primitive, count);
+    if (isActive)
+        hits[i] = uvec4(floatBitsToUint(hit.t), hit.primitive, count.passes, 0u);
 }

@@ -1,0 +1,18 @@
+// What the host must know of the tasks of kernels/path_trace.comp: how much memory they take.
+#ifndef CALOTYPE_KERNELS_PARKED_TASK_H
+#define CALOTYPE_KERNELS_PARKED_TASK_H
+
+#include "shared/types.h"
+
+CALOTYPE_BEGIN_SHARED
+
+/// Pixels that a lane works at in turns: the current and the waiting one.
+CALOTYPE_CONSTANT uint kTasksPerLane = 2;
+
+#include "shared/declare_structs.h"
+
+#include "kernels/parked_task_table.h"
+
+CALOTYPE_END_SHARED
+
+#endif

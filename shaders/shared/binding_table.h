@@ -1,0 +1,33 @@
+// Descriptor bindings of set 0, one a line and numbered by lines, so there is no line between them.
+// From a line comes kBindingCamera (shared/bindings.h).
+//
+// The packed scene's are texel buffers of 16-byte rows (the fastest fetch on llvmpipe, measured).
+// SCENE_ARRAY is an array of structs: identifier, struct, member of GpuScene, and name for people.
+// From its line come the buffer and the function loadX of struct X (buffers/packed_scene.glsl), the
+// upload (host/render/scene_buffers.cpp) and a test (tests/gpu/layout_test.cpp). SCENE_ROWS is of
+// no struct.
+BEGIN_BINDINGS
+SCENE_ARRAY(Nodes, BvhNode, nodes, "BVH nodes")
+SCENE_ARRAY(Triangles, Triangle, triangles, "triangles")
+SCENE_ARRAY(TriangleNormals, TriangleNormals, triangleNormals, "triangle normals")
+SCENE_ARRAY(TriangleUvs, TriangleUvs, triangleUvs, "texture coordinates")
+SCENE_ARRAY(Quadrics, Quadric, quadrics, "quadrics")
+SCENE_ARRAY(Materials, Material, materials, "materials")
+SCENE_ARRAY(Textures, Texture, textures, "textures")
+SCENE_ARRAY(Lights, Light, lights, "lights")
+SCENE_ROWS(Texels, texelRows, "texels")
+SCENE_ROWS(Filter, filterQuantiles, "film filter")
+BINDING(Camera)      // uniform buffer
+BINDING(Block)       // storage image
+BINDING(Counters)    // storage buffer
+BINDING(FirstHits)   // storage buffer: a FirstHitRecord, in words, for each pixel of the tiles
+BINDING(ParkedTasks) // storage buffer: a ParkedTask for each task of each lane
+BINDING(Rays)        // storage buffer of ListedRay
+BINDING(ListedHits)  // storage buffer of ListedHit
+BINDING(Tiles)       // storage buffer: numbers of the tiles to render, in the order to take them
+END_BINDINGS
+#undef BEGIN_BINDINGS
+#undef SCENE_ARRAY
+#undef SCENE_ROWS
+#undef BINDING
+#undef END_BINDINGS

@@ -1,0 +1,36 @@
+// Lists of rays, which are traced without any shading, as shared/declare_structs.h says.
+
+STRUCT(ListedRay)
+ROW(vec3, origin, xyz) ///< metres from the packed scene's origin
+FIELD(float, tMax, w)  ///< metres; 0 where a pixel has no such ray
+ROW(vec3, direction, xyz)
+FIELD(uint, target, w) ///< the primitive that it passes by, or kNone
+END(ListedRay)
+
+// What a ray met: the closest, or where any hit would do, some.
+STRUCT(ListedHit)
+ROW(float, t, x)          ///< metres; the ray's tMax where it met nothing
+FIELD(uint, primitive, y) ///< as kQuadricBit says, or kNone
+FIELD(uint, pad0, z)
+FIELD(uint, pad1, w)
+END(ListedHit)
+
+// Push constants of both kernels, the one that lists rays and the one that traces them.
+STRUCT(RayListParameters)
+ROW(uvec2, imageSize, xy)  ///< pixels
+FIELD(uint, firstGroup, z) ///< tiles of the picture, or kRaysPerGroup consecutive rays
+FIELD(uint, groupCount, w)
+ROW(uint, groupStride, x) ///< group g of the dispatch works at group g * groupStride % groupCount
+FIELD(uint, rayCount, y)
+FIELD(uint, isShadow, z) ///< 1 for rays to lights, from what primary rays meet
+FIELD(uint, bounces, w)  ///< else: scattering events before the ray
+ROW(uint, seed, x)
+FIELD(uint, lightCount, y)
+FIELD(uint, iterationBudget, z)
+FIELD(uint, pad0, w)
+END(RayListParameters)
+
+#undef STRUCT
+#undef ROW
+#undef FIELD
+#undef END

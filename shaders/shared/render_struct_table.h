@@ -1,0 +1,47 @@
+// What the host tells a dispatch of a rendering kernel, and what it gets back, as
+// shared/declare_structs.h says.
+
+// Push constants. A dispatch renders `sampleEnd` samples of the block in every pixel of its tiles,
+// less those that the storage image already holds.
+STRUCT(RenderParameters)
+ROW(uvec2, imageSize, xy)    ///< of the whole film, pixels
+FIELD(uvec2, cropOrigin, zw) ///< first pixel of the storage image on the film
+ROW(uvec2, cropSize, xy)     ///< of the storage image, pixels
+FIELD(uint, firstTile, z)    ///< in the list of tiles
+FIELD(uint, firstSample, w)  ///< absolute index of the block's first sample
+ROW(uint, sampleEnd, x)      ///< samples of this block to have after the dispatch, at most
+FIELD(uint, seed, y)
+FIELD(uint, maxBounces, z)
+FIELD(uint, lightCount, w)
+ROW(uint, iterationBudget, x)   ///< loop iterations after which a subgroup parks its paths
+FIELD(float, indirectClamp, y)  ///< most of one contribution of light scattered twice or more,
+                                ///< W/(m^2 sr)
+FIELD(uint, backgroundLight, z) ///< the light that rays find which meet no surface, or kNone
+FIELD(uint, pad0, w)
+END(RenderParameters)
+
+// Sums over one dispatch, added to atomically, once per subgroup.
+STRUCT(RenderCounters)
+ROW(uint, rays, x)
+FIELD(uint, paths, y)
+FIELD(uint, nonFiniteSamples, z) ///< samples that came out NaN or infinite and were added as zero
+FIELD(uint, cutPaths, w)         ///< paths ended by a ray that takes a whole budget: too dark
+ROW(uint, unfinishedPixels, x)   ///< pixels parked before `sampleEnd`, for the next dispatch
+FIELD(uint, pad0, y)
+FIELD(uint, pad1, z)
+FIELD(uint, pad2, w)
+END(RenderCounters)
+
+// Push constants. A dispatch finds the first hits of the pixels of a run of tiles.
+STRUCT(FirstHitParameters)
+ROW(uvec2, imageSize, xy)    ///< of the whole film, pixels
+FIELD(uvec2, cropOrigin, zw) ///< first pixel of the picture on the film
+ROW(uvec2, cropSize, xy)     ///< of the picture, pixels
+FIELD(uint, firstTile, z)
+FIELD(uint, iterationsBeforeCut, w) ///< loop iterations after which a search ends where it is
+END(FirstHitParameters)
+
+#undef STRUCT
+#undef ROW
+#undef FIELD
+#undef END
