@@ -17,6 +17,18 @@ CALOTYPE_BEGIN_SHARED
 #define END_SETTINGS CALOTYPE_CONSTANT uint kConstantCount = __LINE__ - kSettingsBegin;
 #include "shared/setting_table.h"
 
+// A line between two rows, or a row of two lines, would be numbered differently in C++ and in GLSL.
+#ifdef __cplusplus
+#define BEGIN_FEATURES static_assert(kFeatureCount == 0
+#define FEATURE(id, people) +1
+#define END_FEATURES );
+#include "shared/feature_table.h"
+#define BEGIN_SETTINGS static_assert(kConstantCount == kFeatureCount
+#define SETTING(id, type, name, value) +1
+#define END_SETTINGS );
+#include "shared/setting_table.h"
+#endif
+
 CALOTYPE_END_SHARED
 
 #endif
