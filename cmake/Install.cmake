@@ -4,7 +4,7 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 install(TARGETS calotype RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(TARGETS calotype_core EXPORT calotypeTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS calotype_engine EXPORT calotypeTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY ${CMAKE_BINARY_DIR}/include/calotype DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(FILES scenes/scene.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/calotype)
 

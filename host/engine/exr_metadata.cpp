@@ -3,28 +3,41 @@
 #include <algorithm>
 #include <limits>
 
+#include <nlohmann/json.hpp>
+
 #include "base/hexadecimal.h"
 #include "settings/settings_table.h"
 
 namespace calotype {
+namespace {
+
+/// A whole number as a double, which holds every seed; anything else as its text.
+Attribute attributeOf(const Setting& setting, const std::string& text,
+                      const RenderSettings& settings) {
+    const nlohmann::ordered_json value = setting.value(settings);
+    if (value.is_number_integer())
+        return {setting.name, value.get<double>()};
+    return {setting.name, text};
+}
+
+} // namespace
 
 void describe(Picture& picture, const FilmLabel& label, uint64_t samplesPerPixel, double seconds) {
-    RenderSettings settings;
-    const auto isKnown = [&](const char* name) {
-        const auto text = label.settings.find(name);
-        return text != label.settings.end() && findSetting(name)->read(text->second, settings);
-    };
-    if (isKnown("size") && isKnown("crop"))
-        picture.crop =
-            CropPlacement{settings.crop.x, settings.crop.y, settings.width, settings.height};
     picture.metadata.push_back({"version", label.setting("version")});
     picture.metadata.push_back({"sceneHash", hexadecimal(label.sceneHash)});
-    if (isKnown("seed")) // as a number that an int32_t could not hold
-        picture.metadata.push_back({"seed", static_cast<double>(settings.seed)});
-    picture.metadata.push_back({"sampler", label.setting("sampler")});
+    RenderSettings settings;
+    for (const Setting& setting : settingsTable()) {
+        const auto text = label.settings.find(setting.name);
+        if (text != label.settings.end() && setting.read(text->second, settings))
+            picture.metadata.push_back(attributeOf(setting, text->second, settings));
+    }
     picture.metadata.push_back({"spp", static_cast<int32_t>(std::min<uint64_t>(
                                            samplesPerPixel, std::numeric_limits<int32_t>::max()))});
     picture.metadata.push_back({"seconds", seconds});
+    // Both are zero where the label does not say them.
+    if (settings.width > 0 && settings.crop.width > 0)
+        picture.crop =
+            CropPlacement{settings.crop.x, settings.crop.y, settings.width, settings.height};
 }
 
 } // namespace calotype

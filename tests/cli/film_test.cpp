@@ -268,6 +268,21 @@ TEST_F(FilmTest, KeepsCropsAndTheReference) {
                   "another crop");
 }
 
+// Films of programs that did not know every setting: their pictures have no place in a whole one.
+TEST_F(FilmTest, MergesWhatSaysLess) {
+    const std::string a = film("a.film", {"--samples", "0:16"});
+    KeptFilm kept = readFilm(a);
+    kept.label.settings = {{"seed", "0"}, {"mis", "no such value"}};
+    const std::string less = folder_ / "less.film";
+    writeFilm(less, kept.label, kept.film);
+    for (const std::string& path : {a, less}) {
+        const ProgramResult result =
+            runProgram({"merge", path, "-o", path + ".pfm", "-o", path + ".exr"});
+        EXPECT_EQ(result.exitCode, 0) << result.errors;
+    }
+    EXPECT_TRUE(readText(less + ".pfm") == readText(a + ".pfm"));
+}
+
 TEST_F(FilmTest, MergeChecksItsOutputs) {
     const std::string a = film("a.film", {"--samples", "0:16"});
     const auto merge = [&](const std::vector<std::string>& more) {
