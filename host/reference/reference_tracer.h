@@ -7,9 +7,9 @@
 #include <glm/vec3.hpp>
 
 #include "image/first_hit.h"
-#include "reference/bsdf.h"
 #include "reference/geometry.h"
 #include "reference/lights.h"
+#include "reference/path.h"
 #include "reference/random.h"
 #include "scene/scene.h"
 #include "settings/transport.h"
@@ -21,12 +21,6 @@ namespace calotype::reference {
 /// compared; all else is written anew.
 class ReferenceTracer {
 public:
-    struct Sample {
-        glm::dvec3 radiance{0.0};
-        uint32_t rays = 0;
-        bool isFinite = true; ///< the radiance, and what the path would have weighed more of it by
-    };
-
     /// Keeps a reference to the scene. `imageSize` is that of the whole film.
     ReferenceTracer(const Scene& scene, const glm::uvec2& imageSize, uint32_t maxBounces,
                     const TransportSettings& transport = {});
@@ -37,7 +31,7 @@ public:
     double maxRadiance() const { return lights_.maxRadiance(); }
 
     /// One sample of one pixel. May be called from several threads.
-    Sample trace(const SampleId& id) const;
+    PathSample trace(const SampleId& id) const;
 
     /// What the ray through the pixel's centre and the lens's meets first.
     FirstHit firstHit(const glm::uvec2& pixel) const { return firstHitAt(glm::dvec2(pixel) + 0.5); }
@@ -46,10 +40,6 @@ public:
     FirstHit firstHitAt(const glm::dvec2& filmPosition) const;
 
 private:
-    class Walk;
-
-    const Material& materialOf(uint32_t primitive) const;
-
     const Scene& scene_;
     glm::uvec2 imageSize_;
     uint32_t maxBounces_;

@@ -27,4 +27,7 @@ struct Surface {
 /// sum another half.
 glm::dvec3 offsetFrom(const glm::dvec3& from, const glm::dvec3& normalOnThatSide);
 
+/// The point off the surface on the side to which `w` points.
+glm::dvec3 leaveSurface(const Surface& surface, const glm::dvec3& w);
+
 } // namespace calotype::reference

@@ -66,7 +66,7 @@ void ReferenceBlock::renderPixel(glm::uvec2 position, uint32_t sampleEnd,
             ++counters.unfinishedPixels;
             return;
         }
-        const reference::ReferenceTracer::Sample sample =
+        const reference::PathSample sample =
             tracer_.trace({position + glm::uvec2(crop.x, crop.y), firstSample_ + pixel.sampleCount,
                            settings_.seed, settings_.sampler});
         pixel.sum += sample.isFinite ? sample.radiance : glm::dvec3(0.0);
