@@ -46,22 +46,19 @@ std::vector<std::string> entriesOf(const fs::path& folder) {
 /// Walks from `folder` along the parts of a path from `next` on, in any case.
 std::optional<fs::path> findInAnyCase(const fs::path& folder, fs::path::const_iterator next,
                                       const fs::path::const_iterator& end) {
-    if (next == end) {
+    if (next == end)
         return isReadableFile(folder.string()) ? std::optional(folder) : std::nullopt;
-    }
     const std::string part = next->string();
     ++next;
     std::error_code ignored;
     if (fs::exists(folder / part, ignored)) {
-        if (const auto found = findInAnyCase(folder / part, next, end)) {
+        if (const auto found = findInAnyCase(folder / part, next, end))
             return found;
-        }
     }
     for (const std::string& entry : entriesOf(folder)) {
         if (entry != part && lowercase(entry) == lowercase(part)) {
-            if (const auto found = findInAnyCase(folder / entry, next, end)) {
+            if (const auto found = findInAnyCase(folder / entry, next, end))
                 return found;
-            }
         }
     }
     return std::nullopt;
@@ -75,33 +72,27 @@ std::optional<fs::path> findInAnyCase(const fs::path& directory, const std::stri
 } // namespace
 
 std::optional<fs::path> findFile(const fs::path& directory, const std::string& name) {
-    if (name.size() > kLongestPath) {
+    if (name.size() > kLongestPath)
         return std::nullopt;
-    }
-    if (isReadableFile((directory / name).string())) {
+    if (isReadableFile((directory / name).string()))
         return directory / name;
-    }
     std::string rest = withSlashes(name);
-    if (!isAbsolute(rest)) {
+    if (!isAbsolute(rest))
         return findInAnyCase(directory, rest);
-    }
-    if (isReadableFile(rest)) {
+    if (isReadableFile(rest))
         return rest;
-    }
     for (size_t slash = rest.find('/'); slash != std::string::npos; slash = rest.find('/')) {
         rest.erase(0, slash + 1);
-        if (const auto found = findInAnyCase(directory, rest)) {
+        if (const auto found = findInAnyCase(directory, rest))
             return found;
-        }
     }
     return std::nullopt;
 }
 
 std::string nearestFile(const fs::path& directory, const std::string& name) {
     std::string path = withSlashes(name);
-    if (isAbsolute(path)) {
+    if (isAbsolute(path))
         path.erase(0, path.find_last_of("/:") + 1);
-    }
     fs::path folder;
     for (const fs::path& part : fs::path(path)) {
         std::error_code ignored;

@@ -23,17 +23,15 @@ size_t editDistance(std::string_view a, std::string_view b) {
     std::vector<size_t> twoAgo(b.size() + 1);
     std::vector<size_t> previous(b.size() + 1);
     std::vector<size_t> current(b.size() + 1);
-    for (size_t j = 0; j <= b.size(); ++j) {
+    for (size_t j = 0; j <= b.size(); ++j)
         previous[j] = j;
-    }
     for (size_t i = 1; i <= a.size(); ++i) {
         current[0] = i;
         for (size_t j = 1; j <= b.size(); ++j) {
             const size_t replaced = previous[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
             current[j] = std::min({previous[j] + 1, current[j - 1] + 1, replaced});
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
                 current[j] = std::min(current[j], twoAgo[j - 2] + 1);
-            }
         }
         std::swap(twoAgo, previous);
         std::swap(previous, current);
@@ -45,15 +43,13 @@ size_t editDistance(std::string_view a, std::string_view b) {
 
 std::string printable(std::string_view text) {
     using nlohmann::json;
-    if (text.size() <= kLongest && std::ranges::all_of(text, isPlain)) {
+    if (text.size() <= kLongest && std::ranges::all_of(text, isPlain))
         return std::string(text); // nearly always, and much faster
-    }
     const bool isLong = text.size() > kLongest;
     if (isLong) {
         size_t end = kLongest;
-        while (end > 0 && continuesUtf8(text[end])) {
+        while (end > 0 && continuesUtf8(text[end]))
             --end;
-        }
         text = text.substr(0, end);
     }
     const std::string quoted = json(text).dump(-1, ' ', false, json::error_handler_t::replace);
@@ -71,12 +67,10 @@ std::string twoDigits(double number) {
 
 std::string listInQuotes(std::span<const std::string> names) {
     std::string list;
-    for (size_t i = 0; i < std::min(names.size(), kLongestList); ++i) {
+    for (size_t i = 0; i < std::min(names.size(), kLongestList); ++i)
         list += (i > 0 ? ", " : "") + inQuotes(names[i]);
-    }
-    if (names.size() > kLongestList) {
+    if (names.size() > kLongestList)
         list += " and " + std::to_string(names.size() - kLongestList) + " more";
-    }
     return list;
 }
 
@@ -85,9 +79,8 @@ std::string nearestName(std::string_view name, std::span<const std::string> know
     size_t best = kLongestMisspelling;
     for (const std::string& candidate : known) {
         const size_t longer = std::max(name.size(), candidate.size());
-        if (longer > kLongestMisspelling) {
+        if (longer > kLongestMisspelling)
             continue;
-        }
         const size_t distance = editDistance(name, candidate);
         if (distance < best && 2 * distance <= longer) {
             best = distance;
@@ -99,9 +92,8 @@ std::string nearestName(std::string_view name, std::span<const std::string> know
 
 std::string suggestion(std::string_view name, std::span<const std::string> known) {
     const std::string nearest = nearestName(name, known);
-    if (!nearest.empty()) {
+    if (!nearest.empty())
         return "; did you mean " + inQuotes(nearest) + "?";
-    }
     return known.empty() ? std::string() : "; known here: " + listInQuotes(known);
 }
 

@@ -33,9 +33,8 @@ std::string readFile(const std::string& path, const std::string& where) {
                          "cannot read the file " + inQuotes(path) + ": it is not a regular file");
     }
     const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
-    if (!file) {
+    if (!file)
         fail(errno);
-    }
     std::string bytes;
     std::error_code unknownSize;
     const auto size = std::filesystem::file_size(path, unknownSize);
@@ -48,9 +47,8 @@ std::string readFile(const std::string& path, const std::string& where) {
         bytes.resize(start + count);
         atEnd = count < wanted;
     }
-    if (std::ferror(file.get())) {
+    if (std::ferror(file.get()))
         fail(errno);
-    }
     return bytes;
 }
 

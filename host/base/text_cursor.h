@@ -11,12 +11,10 @@ inline bool isBlank(char c) { return c == ' ' || c == '\t'; }
 
 /// Without blanks at both ends.
 inline std::string_view trimmed(std::string_view text) {
-    while (!text.empty() && isBlank(text.front())) {
+    while (!text.empty() && isBlank(text.front()))
         text.remove_prefix(1);
-    }
-    while (!text.empty() && isBlank(text.back())) {
+    while (!text.empty() && isBlank(text.back()))
         text.remove_suffix(1);
-    }
     return text;
 }
 
@@ -34,9 +32,8 @@ public:
     /// The next word; empty at the end.
     std::string_view word() {
         const char* start = next_;
-        while (next_ != end_ && !isBlank(*next_)) {
+        while (next_ != end_ && !isBlank(*next_))
             ++next_;
-        }
         const std::string_view result(start, static_cast<size_t>(next_ - start));
         skipBlanks();
         return result;
@@ -47,9 +44,8 @@ public:
 
 private:
     void skipBlanks() {
-        while (next_ != end_ && isBlank(*next_)) {
+        while (next_ != end_ && isBlank(*next_))
             ++next_;
-        }
     }
 
     const char* next_;
@@ -59,15 +55,13 @@ private:
 /// A decimal number that makes up the whole word, "inf" and "nan" included; infinite where it is
 /// too large for a double. nullopt for anything else.
 inline std::optional<double> parseNumber(std::string_view word) {
-    if (word.size() > 1 && word.front() == '+' && word[1] != '-') {
+    if (word.size() > 1 && word.front() == '+' && word[1] != '-')
         word.remove_prefix(1);
-    }
     double value = 0.0;
     const char* const end = word.data() + word.size();
     const auto [stop, error] = std::from_chars(word.data(), end, value);
-    if (stop != end || error == std::errc::invalid_argument) {
+    if (stop != end || error == std::errc::invalid_argument)
         return std::nullopt;
-    }
     if (error == std::errc::result_out_of_range) {
         // from_chars does not say which way: a negative exponent means that it is all but zero.
         return word.find("e-") != word.npos || word.find("E-") != word.npos ? 0.0 : HUGE_VAL;

@@ -13,9 +13,8 @@ public:
     /// Adds the sentence "WHERE: MESSAGE".
     void add(const std::string& where, const std::string& message) {
         std::string sentence = where + ": " + message;
-        if (std::ranges::find(sentences_, sentence) == sentences_.end()) {
+        if (std::ranges::find(sentences_, sentence) == sentences_.end())
             sentences_.push_back(std::move(sentence));
-        }
     }
 
     const std::vector<std::string>& sentences() const { return sentences_; }

@@ -10,20 +10,17 @@ namespace {
 
 bool hasEmission(const Scene& scene) {
     const std::vector<bool> used = usedMaterials(scene);
-    for (size_t i = 0; i < used.size(); ++i) {
-        if (used[i] && scene.materials[i].emission != glm::dvec3(0.0)) {
+    for (size_t i = 0; i < used.size(); ++i)
+        if (used[i] && scene.materials[i].emission != glm::dvec3(0.0))
             return true;
-        }
-    }
     return false;
 }
 
 } // namespace
 
 void warnOfBlackPicture(const Scene& scene, Warnings& warnings) {
-    if (scene.background != glm::dvec3(0.0)) {
+    if (scene.background != glm::dvec3(0.0))
         return;
-    }
     if (scene.shapes.empty()) {
         warnings.add(scene.place,
                      "there are no shapes and no lights, so the picture will be black");

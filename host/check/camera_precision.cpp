@@ -35,9 +35,8 @@ double distanceToScene(const Scene& scene) {
 
 void warnOfCameraPrecision(const Scene& scene, Warnings& warnings) {
     const Camera& camera = scene.camera;
-    if (isAlongAxis(camera.forward)) {
+    if (isAlongAxis(camera.forward))
         return;
-    }
     const double rows = scene.film.height;
     if (camera.projection == Projection::Perspective) {
         if (2.0 * std::tan(0.5 * camera.verticalFov) < kFinestPixel * rows) {

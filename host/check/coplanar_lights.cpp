@@ -65,9 +65,8 @@ Facet endOfSolid(const RigidTransform& worldFromObject, double height, double ra
 Facet facetOf(const Mesh& mesh, const Mesh::Triangle& triangle) {
     Facet facet;
     facet.cornerCount = 3;
-    for (size_t i = 0; i < 3; ++i) {
+    for (size_t i = 0; i < 3; ++i)
         facet.polygon[i] = mesh.positions[triangle.position[i]];
-    }
     facet.normal = glm::normalize(
         glm::cross(facet.polygon[1] - facet.polygon[0], facet.polygon[2] - facet.polygon[0]));
     return facet;
@@ -99,9 +98,8 @@ void forEachFacet(const Scene& scene, const Visit& visit) {
             const double radius = cone->slope * std::abs(cone->height);
             visitOne(endOfSolid(cone->worldFromObject, cone->height, radius), shape.material);
         } else if (const auto* mesh = std::get_if<Mesh>(&shape.geometry)) {
-            for (const Mesh::Triangle& triangle : mesh->triangles) {
+            for (const Mesh::Triangle& triangle : mesh->triangles)
                 visitOne(facetOf(*mesh, triangle), triangle.material);
-            }
         }
     }
 }
@@ -126,9 +124,8 @@ bool isPartedByAnEdge(const Facet& a, const Facet& b, double tolerance) {
         const glm::dvec3 axis = glm::normalize(glm::cross(edge, a.normal));
         const glm::dvec2 reachOfA = reach(a, axis);
         const glm::dvec2 reachOfB = reach(b, axis);
-        if (std::min(reachOfA.y, reachOfB.y) - std::max(reachOfA.x, reachOfB.x) < tolerance) {
+        if (std::min(reachOfA.y, reachOfB.y) - std::max(reachOfA.x, reachOfB.x) < tolerance)
             return true;
-        }
     }
     return false;
 }
@@ -170,26 +167,22 @@ void warnOfCoplanarLights(const Scene& scene, Warnings& warnings) {
     double facets = 0.0;
     forEachFacet(scene, [&](const Facet& facet) {
         facets += 1.0;
-        if (facet.shines && canBeSeen(facet, scene.camera.position)) {
+        if (facet.shines && canBeSeen(facet, scene.camera.position))
             lights.push_back(facet);
-        }
     });
-    if (static_cast<double>(lights.size()) * facets > kMostPairs) {
+    if (static_cast<double>(lights.size()) * facets > kMostPairs)
         return;
-    }
     std::set<size_t> coplanar;
     forEachFacet(scene, [&](const Facet& other) {
-        if (!canBeSeen(other, scene.camera.position)) {
+        if (!canBeSeen(other, scene.camera.position))
             return;
-        }
         for (const Facet& light : lights) {
             const double gap = kGap * glm::distance(light.polygon[0], scene.camera.position);
             if (!isItself(light, other) && isInPlaneOf(light, other, gap) &&
                 !coplanar.contains(light.shape) && overlap(light, other, gap)) {
                 coplanar.insert(light.shape);
-                if (coplanar.size() <= kMostNamed) {
+                if (coplanar.size() <= kMostNamed)
                     warn(scene, warnings, light, other, gap);
-                }
             }
         }
     });

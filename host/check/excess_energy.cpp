@@ -23,9 +23,8 @@ struct Excess {
 
 std::string energyWarning(const Scene& scene, const Excess& excess) {
     std::vector<std::string> names;
-    for (const uint32_t i : excess.materials) {
+    for (const uint32_t i : excess.materials)
         names.push_back(scene.materials[i].name);
-    }
     return "materials that can reflect more light than they receive, up to " +
            albedoText(excess.most) +
            " at grazing angles (choose darker colours or a greater roughness): " +

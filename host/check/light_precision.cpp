@@ -22,11 +22,9 @@ double brightestChannel(const glm::dvec3& radiance) {
 void warnOfLightPrecision(const Scene& scene, Warnings& warnings) {
     const std::vector<bool> used = usedMaterials(scene);
     double brightest = brightestChannel(scene.background);
-    for (size_t i = 0; i < used.size(); ++i) {
-        if (used[i]) {
+    for (size_t i = 0; i < used.size(); ++i)
+        if (used[i])
             brightest = std::max(brightest, brightestChannel(scene.materials[i].emission));
-        }
-    }
     const auto warnIfFaint = [&](const glm::dvec3& radiance, const std::string& where,
                                  const std::string& subject) {
         const double channel = brightestChannel(radiance);

@@ -16,15 +16,13 @@ constexpr double kTolerance = 1e-3;
 } // namespace
 
 void require(const Range& range, double number, const std::string& where) {
-    if (!range.contains(number)) {
+    if (!range.contains(number))
         throw SceneError(where, "must be " + toText(range) + ", not " + shortNumber(number));
-    }
 }
 
 void require(const Range& range, const glm::dvec3& numbers, const std::string& where) {
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 3; ++i)
         require(range, numbers[i], where + "/" + std::to_string(i));
-    }
 }
 
 void require(const ranges::WholeRange& range, uint32_t number, const std::string& where) {

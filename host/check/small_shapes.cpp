@@ -77,9 +77,8 @@ SmallShape measure(const Shape& shape, const glm::dvec3& origin) {
 }
 
 std::string consequence(const SmallShape& shape) {
-    if (shape.size < kSmallestShape) {
+    if (shape.size < kSmallestShape)
         return "; below 1e-11 m single precision may let rays through: scale the scene up";
-    }
     return ", " + twoDigits(shape.distance) +
            " m from the camera or the scene's near side, where single precision knows places to " +
            twoDigits(kRounding * shape.distance) +

@@ -23,9 +23,8 @@ struct FarthestLookup {
 /// A texture's texels between its origin and anything read at coordinates up to `farthestUv`.
 double texelsTo(const Texture& texture, const glm::dvec2& farthestUv) {
     glm::dvec2 size(1.0);
-    if (const auto* image = std::get_if<ImageTexture>(&texture.source)) {
+    if (const auto* image = std::get_if<ImageTexture>(&texture.source))
         size = {image->image->width, image->image->height};
-    }
     const glm::dvec2 position = farthestUv * glm::abs(texture.scale) + glm::abs(texture.offset);
     return std::max(position.x * size.x, position.y * size.y);
 }
@@ -33,13 +32,11 @@ double texelsTo(const Texture& texture, const glm::dvec2& farthestUv) {
 class TextureReach {
 public:
     explicit TextureReach(const Scene& scene) : scene_(scene), farthest_(scene.textures.size()) {
-        for (size_t i = 0; i < scene.shapes.size(); ++i) {
-            if (const auto* mesh = std::get_if<Mesh>(&scene.shapes[i].geometry)) {
+        for (size_t i = 0; i < scene.shapes.size(); ++i)
+            if (const auto* mesh = std::get_if<Mesh>(&scene.shapes[i].geometry))
                 addMesh(*mesh, i);
-            } else {
+            else
                 add(scene.shapes[i].material, glm::dvec2(1.0), i);
-            }
-        }
     }
 
     const std::vector<FarthestLookup>& farthest() const { return farthest_; } ///< by texture
@@ -48,30 +45,24 @@ private:
     void addMesh(const Mesh& mesh, size_t shape) {
         std::map<uint32_t, glm::dvec2> farthestUv; // by material
         for (const Mesh::Triangle& triangle : mesh.triangles) {
-            if (triangle.uv[0] == Mesh::kNoUv ||
-                !hasTextures(scene_.materials[triangle.material])) {
+            if (triangle.uv[0] == Mesh::kNoUv || !hasTextures(scene_.materials[triangle.material]))
                 continue;
-            }
             glm::dvec2& uv = farthestUv[triangle.material];
-            for (const uint32_t corner : triangle.uv) {
+            for (const uint32_t corner : triangle.uv)
                 uv = glm::max(uv, glm::abs(mesh.uvs[corner]));
-            }
         }
-        for (const auto& [material, uv] : farthestUv) {
+        for (const auto& [material, uv] : farthestUv)
             add(material, uv, shape);
-        }
     }
 
     void add(uint32_t material, const glm::dvec2& farthestUv, size_t shape) {
         for (uint32_t Material::*slot : kMaterialTextures) {
             const uint32_t texture = scene_.materials[material].*slot;
-            if (texture == Material::kNoTexture) {
+            if (texture == Material::kNoTexture)
                 continue;
-            }
             const double texels = texelsTo(scene_.textures[texture], farthestUv);
-            if (texels > farthest_[texture].texels) {
+            if (texels > farthest_[texture].texels)
                 farthest_[texture] = {texels, shape};
-            }
         }
     }
 

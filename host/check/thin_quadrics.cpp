@@ -11,9 +11,8 @@ namespace {
 
 /// A measure along over one across, or 1 for shapes that are thin in no way.
 double proportionOf(const Shape& shape) {
-    if (const auto* cylinder = std::get_if<Cylinder>(&shape.geometry)) {
+    if (const auto* cylinder = std::get_if<Cylinder>(&shape.geometry))
         return cylinder->height / cylinder->radius;
-    }
     const auto* cone = std::get_if<Cone>(&shape.geometry);
     return cone ? cone->slope : 1.0;
 }
@@ -28,9 +27,8 @@ void warnOfThinQuadrics(const Scene& scene, Warnings& warnings) {
     for (const Shape& shape : scene.shapes) {
         const double proportion = proportionOf(shape);
         const double excess = std::max(proportion, 1.0 / proportion);
-        if (excess <= kThinnestProportion * (1.0 + kRounding)) {
+        if (excess <= kThinnestProportion * (1.0 + kRounding))
             continue;
-        }
         ++count;
         if (excess > greatest) {
             greatest = excess;

@@ -16,17 +16,15 @@ namespace calotype {
 namespace {
 
 void requireImage(const ImageTexture& texture, const std::string& where) {
-    if (!texture.image) {
+    if (!texture.image)
         throw SceneError(where, "has no image");
-    }
     const TexelImage& image = *texture.image;
     constexpr ranges::WholeRange kSide = {1, ImageTexture::kLargestSide};
     require(kSide, image.width, where + "/width");
     require(kSide, image.height, where + "/height");
     const size_t values = image.holdsBytes() ? image.bytes.size() : image.floats.size();
-    if (values != 4 * image.texelCount()) {
+    if (values != 4 * image.texelCount())
         throw SceneError(where, "must hold four values a texel");
-    }
 }
 
 void requireTexture(const Texture& texture, const std::string& where) {
@@ -34,13 +32,11 @@ void requireTexture(const Texture& texture, const std::string& where) {
         require(ranges::kTextureCoordinate, texture.scale[i], where + "/scale");
         require(ranges::kTextureCoordinate, texture.offset[i], where + "/offset");
     }
-    if (const auto* image = std::get_if<ImageTexture>(&texture.source)) {
+    if (const auto* image = std::get_if<ImageTexture>(&texture.source))
         requireImage(*image, where);
-    } else {
-        for (const glm::dvec3& color : std::get<CheckerTexture>(texture.source).colors) {
+    else
+        for (const glm::dvec3& color : std::get<CheckerTexture>(texture.source).colors)
             require(ranges::kShare, color, where + "/colors");
-        }
-    }
 }
 
 /// Checks one parameter of a material at the place of its key.
@@ -77,17 +73,14 @@ void requireTextures(const Scene& scene, const Material& material, const std::st
 void requireMaterial(const Scene& scene, size_t index) {
     const Material& material = scene.materials[index];
     const std::string where = placeOfMaterial(scene, index);
-    if (static_cast<size_t>(material.type) >= materialKinds().size()) {
+    if (static_cast<size_t>(material.type) >= materialKinds().size())
         throw SceneError(where, "has an unknown type");
-    }
     const MaterialKind& kind = kindOf(material);
-    for (const MaterialParameter& parameter : kind.parameters) {
+    for (const MaterialParameter& parameter : kind.parameters)
         std::visit(ParameterCheck{material, where + "/" + parameter.name}, parameter.value);
-    }
     std::visit(ParameterCheck{material, where + "/emission"}, emissionParameter().value);
-    if (!kind.isOpaque && material.emission != glm::dvec3(0.0)) {
+    if (!kind.isOpaque && material.emission != glm::dvec3(0.0))
         throw SceneError(where, "a " + kind.name + " cannot emit light");
-    }
     require(ranges::kShare, material.opacity, where + "/opacity");
     requireTextures(scene, material, where);
 }
@@ -95,12 +88,10 @@ void requireMaterial(const Scene& scene, size_t index) {
 } // namespace
 
 void requireValidMaterials(const Scene& scene) {
-    for (const Texture& texture : scene.textures) {
+    for (const Texture& texture : scene.textures)
         requireTexture(texture, placeOf(scene, "texture " + inQuotes(texture.name)));
-    }
-    for (size_t i = 0; i < scene.materials.size(); ++i) {
+    for (size_t i = 0; i < scene.materials.size(); ++i)
         requireMaterial(scene, i);
-    }
 }
 
 } // namespace calotype

@@ -72,17 +72,14 @@ struct ShapeCheck {
         require(ranges::kPositive, disk.radius, where + "/radius");
     }
     void operator()(const Mesh& mesh) const {
-        if (mesh.triangles.empty()) {
+        if (mesh.triangles.empty())
             throw SceneError(where, "has no triangles");
-        }
         requireVertices(mesh);
         for (const Mesh::Triangle& triangle : mesh.triangles) {
-            if (!verticesExist(mesh, triangle)) {
+            if (!verticesExist(mesh, triangle))
                 throw SceneError(where, "has a triangle with a vertex that does not exist");
-            }
-            if (!normalsAreUnit(mesh, triangle)) {
+            if (!normalsAreUnit(mesh, triangle))
                 throw SceneError(where, "has a normal whose length is not 1");
-            }
             requireMaterial(scene, triangle.material, where);
         }
     }
@@ -95,11 +92,9 @@ private:
     }
 
     void requireVertices(const Mesh& mesh) const {
-        for (const glm::dvec3& position : mesh.positions) {
-            if (!std::isfinite(position.x + position.y + position.z)) {
+        for (const glm::dvec3& position : mesh.positions)
+            if (!std::isfinite(position.x + position.y + position.z))
                 throw SceneError(where, "has a position that is not finite");
-            }
-        }
         for (const glm::dvec2& uv : mesh.uvs) {
             require(ranges::kTextureCoordinate, uv.x, where + "/uvs");
             require(ranges::kTextureCoordinate, uv.y, where + "/uvs");
@@ -110,9 +105,8 @@ private:
 } // namespace
 
 void requireValidShapes(const Scene& scene) {
-    for (const Shape& shape : scene.shapes) {
+    for (const Shape& shape : scene.shapes)
         std::visit(ShapeCheck{scene, shape, placeOf(scene, shape)}, shape.geometry);
-    }
 }
 
 } // namespace calotype

@@ -57,7 +57,7 @@ void checkOutputs(const RenderOptions& options) {
 
 void checkOutputs(const MergeOptions& options) {
     OutputClaims claims;
-    for (const std::string& path : options.outputs) {
+    for (const std::string& path : options.outputs)
         if (imageFormatOf(path))
             claims.claimPicture(path);
         else if (const auto extension = std::filesystem::path(path).extension();
@@ -68,7 +68,6 @@ void checkOutputs(const MergeOptions& options) {
                              "' is neither a film (.film, or no extension) nor a "
                              "picture (" +
                              std::string(kImageExtensions) + ")");
-    }
     requireExrFor(options.layers, options.outputs);
     if (hasSource(options.layers, LayerSource::FirstHit))
         throw UsageError("films hold no first hits; of the layers of --aov, merge writes " +

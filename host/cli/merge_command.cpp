@@ -24,12 +24,11 @@ Picture pictureOf(const KeptFilm& kept, const MergeOptions& options) {
 int mergeCommand(const MergeOptions& options) {
     checkOutputs(options);
     const KeptFilm joined = mergeFilms(options.films);
-    for (const std::string& path : options.outputs) {
+    for (const std::string& path : options.outputs)
         if (imageFormatOf(path))
             writePicture(path, pictureOf(joined, options), options.display);
         else
             writeFilm(path, joined.label, joined.film);
-    }
     return kExitDone;
 }
 

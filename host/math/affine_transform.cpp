@@ -25,18 +25,16 @@ double largestEntry(const glm::dmat3& m) {
 /// Each column divided by its length, without overflow. No column is zero.
 glm::dmat3 normalizedColumns(const glm::dmat3& m) {
     glm::dmat3 result;
-    for (int column = 0; column < 3; ++column) {
+    for (int column = 0; column < 3; ++column)
         result[column] = glm::normalize(m[column] / largestEntry(m[column]));
-    }
     return result;
 }
 
 /// Newton's iteration for the orthogonal factor of the polar decomposition (Higham 1986); it
 /// converges quadratically and `m` is within 1e-5 of the result already.
 glm::dmat3 nearestOrthogonal(glm::dmat3 m) {
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < 4; ++i)
         m = 0.5 * (m + glm::transpose(glm::inverse(m)));
-    }
     return m;
 }
 
@@ -44,11 +42,9 @@ glm::dmat3 nearestOrthogonal(glm::dmat3 m) {
 
 bool isSingular(const glm::dmat3& m) {
     const double largest = largestEntry(m);
-    for (int column = 0; column < 3; ++column) {
-        if (!(largestEntry(m[column]) / largest > 1.0 / kMostAnisotropy)) {
+    for (int column = 0; column < 3; ++column)
+        if (!(largestEntry(m[column]) / largest > 1.0 / kMostAnisotropy))
             return true;
-        }
-    }
     return std::abs(glm::determinant(normalizedColumns(m))) < kSingularVolume;
 }
 

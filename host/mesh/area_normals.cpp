@@ -15,9 +15,8 @@ constexpr double kCancelled = 1e-12;
 /// areas.
 double unitScale(std::span<const glm::dvec3> positions) {
     double size = 0.0;
-    for (const glm::dvec3& p : positions) {
+    for (const glm::dvec3& p : positions)
         size = std::max(size, largestComponent(p - positions.front()));
-    }
     return size > 0.0 ? std::ldexp(1.0, std::clamp(-std::ilogb(size), -1000, 1000)) : 1.0;
 }
 

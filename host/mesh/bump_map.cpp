@@ -22,9 +22,8 @@ TexelImage emptyNormalMap(const TexelImage& image) {
 
 void appendNormal(TexelImage& image, const glm::dvec3& direction) {
     const glm::dvec3 color = 0.5 + 0.5 * glm::normalize(direction);
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 3; ++i)
         image.floats.push_back(static_cast<float>(color[i]));
-    }
     image.floats.push_back(1.0f);
 }
 
@@ -62,9 +61,8 @@ TexelImage steepenedNormalMap(const TexelImage& normals, double steepness) {
     TexelImage result = emptyNormalMap(normals);
     for (size_t i = 0; i < normals.texelCount(); ++i) {
         glm::dvec3 n;
-        for (int k = 0; k < 3; ++k) {
+        for (int k = 0; k < 3; ++k)
             n[k] = 2.0 * texelComponent(normals, i, k) - 1.0;
-        }
         n = {n.x * steepness, n.y * steepness, n.z};
         appendNormal(result, n == glm::dvec3(0.0) ? glm::dvec3(0.0, 0.0, 1.0) : n);
     }

@@ -19,9 +19,8 @@ using OfMaterial = std::span<const std::optional<Displacement>>;
 constexpr uint32_t kNone = ~0u;
 
 const Displacement* displacementOf(const Mesh::Triangle& triangle, OfMaterial ofMaterial) {
-    if (triangle.material >= ofMaterial.size() || !ofMaterial[triangle.material]) {
+    if (triangle.material >= ofMaterial.size() || !ofMaterial[triangle.material])
         return nullptr;
-    }
     return &*ofMaterial[triangle.material];
 }
 
@@ -30,22 +29,19 @@ const Displacement* finest(std::span<const Mesh::Triangle> triangles, OfMaterial
     const Displacement* result = nullptr;
     for (const Mesh::Triangle& triangle : triangles) {
         const Displacement* displacement = displacementOf(triangle, ofMaterial);
-        if (displacement && (!result || displacement->subdivide > result->subdivide)) {
+        if (displacement && (!result || displacement->subdivide > result->subdivide))
             result = displacement;
-        }
     }
     return result;
 }
 
 void checkCount(uint64_t count, const Displacement& displacement, const std::string& name) {
     const uint64_t foreseen = subdividedCount(count, displacement.subdivide);
-    if (displacement.subdivide == 0 || foreseen <= kMostDisplacedTriangles) {
+    if (displacement.subdivide == 0 || foreseen <= kMostDisplacedTriangles)
         return;
-    }
     uint32_t possible = 0;
-    while (subdividedCount(count, possible + 1) <= kMostDisplacedTriangles) {
+    while (subdividedCount(count, possible + 1) <= kMostDisplacedTriangles)
         ++possible;
-    }
     throw SceneError(displacement.place,
                      "the " + std::to_string(count) + " triangles of " + inQuotes(name) +
                          " would become " + std::to_string(foreseen) + ", above the limit of " +
@@ -60,11 +56,9 @@ std::vector<uint32_t> heightSources(OfMaterial ofMaterial) {
         const Displacement& displacement = *ofMaterial[material];
         return std::tuple(displacement.texture, displacement.scale, displacement.mid);
     };
-    for (uint32_t i = 0; i < sources.size(); ++i) {
-        for (uint32_t k = 0; ofMaterial[i] && sources[i] == kNone; ++k) {
+    for (uint32_t i = 0; i < sources.size(); ++i)
+        for (uint32_t k = 0; ofMaterial[i] && sources[i] == kNone; ++k)
             sources[i] = ofMaterial[k] && key(k) == key(i) ? k : kNone;
-        }
-    }
     return sources;
 }
 
@@ -95,16 +89,14 @@ private:
     }
 
     Reading readingOf(const Mesh::Triangle& triangle, int corner) const {
-        if (!isMoved(triangle)) {
+        if (!isMoved(triangle))
             return {triangle.position[corner], kNone, kNone};
-        }
         return {triangle.position[corner], sources_[triangle.material], triangle.uv[corner]};
     }
 
     double height(const Reading& reading) const {
-        if (reading.source == kNone) {
+        if (reading.source == kNone)
             return 0.0;
-        }
         const Displacement& displacement = *ofMaterial_[reading.source];
         const glm::dvec2 uv = reading.uv == Mesh::kNoUv ? glm::dvec2(0.0) : mesh_.uvs[reading.uv];
         const double value = lookUpScalar(textures_[displacement.texture], uv);
@@ -119,11 +111,10 @@ private:
             for (int k = 0; k < 3; ++k) {
                 const Reading reading = readingOf(triangle, k);
                 Reading& known = first[reading.position];
-                if (known.position == kNone) {
+                if (known.position == kNone)
                     known = reading;
-                } else if (known != reading) {
+                else if (known != reading)
                     further.push_back(reading);
-                }
             }
         }
         std::ranges::sort(further);
@@ -149,34 +140,28 @@ private:
         const std::vector<double> heights = meanHeights();
         const std::vector<glm::dvec3> directions =
             areaWeightedNormals(mesh_.positions, mesh_.triangles);
-        for (size_t i = 0; i < mesh_.positions.size(); ++i) {
+        for (size_t i = 0; i < mesh_.positions.size(); ++i)
             mesh_.positions[i] += heights[i] * directions[i];
-        }
     }
 
     /// Adds the normals of the displaced surface behind the others.
     void followSurface() {
         std::vector<bool> touched(mesh_.positions.size());
         for (const Mesh::Triangle& triangle : mesh_.triangles) {
-            if (isMoved(triangle)) {
-                for (const uint32_t corner : triangle.position) {
+            if (isMoved(triangle))
+                for (const uint32_t corner : triangle.position)
                     touched[corner] = true;
-                }
-            }
         }
         const auto firstNew = static_cast<uint32_t>(mesh_.normals.size());
         const std::vector<glm::dvec3> surface =
             areaWeightedNormals(mesh_.positions, mesh_.triangles);
         mesh_.normals.insert(mesh_.normals.end(), surface.begin(), surface.end());
         for (Mesh::Triangle& triangle : mesh_.triangles) {
-            if (!isMoved(triangle) && triangle.normal[0] == Mesh::kNoNormal) {
+            if (!isMoved(triangle) && triangle.normal[0] == Mesh::kNoNormal)
                 continue;
-            }
-            for (int k = 0; k < 3; ++k) {
-                if (touched[triangle.position[k]]) {
+            for (int k = 0; k < 3; ++k)
+                if (touched[triangle.position[k]])
                     triangle.normal[k] = firstNew + triangle.position[k];
-                }
-            }
             if (std::ranges::any_of(triangle.normal, [&](uint32_t normal) {
                     return mesh_.normals[normal] == glm::dvec3(0.0);
                 })) {
@@ -195,11 +180,9 @@ private:
 std::vector<Mesh::Triangle> withoutVainNormals(std::span<const Mesh::Triangle> triangles,
                                                OfMaterial ofMaterial) {
     std::vector<Mesh::Triangle> result(triangles.begin(), triangles.end());
-    for (Mesh::Triangle& triangle : result) {
-        if (displacementOf(triangle, ofMaterial)) {
+    for (Mesh::Triangle& triangle : result)
+        if (displacementOf(triangle, ofMaterial))
             std::ranges::fill(triangle.normal, Mesh::kNoNormal);
-        }
-    }
     return result;
 }
 
@@ -209,9 +192,8 @@ std::optional<Mesh> displace(const ObjectMesh& mesh,
                              std::span<const std::optional<Displacement>> ofMaterial,
                              std::span<const Texture> textures, const std::string& name) {
     const Displacement* most = finest(mesh.triangles, ofMaterial);
-    if (!most) {
+    if (!most)
         return std::nullopt;
-    }
     checkCount(mesh.triangles.size(), *most, name);
     const auto triangles = withoutVainNormals(mesh.triangles, ofMaterial);
     const ObjectMesh source{mesh.positions, mesh.normals, mesh.uvs, triangles};

@@ -17,9 +17,8 @@ class DistinctValues {
 public:
     /// The number of `value`, which is added where it is new.
     uint32_t add(const Vector& value) {
-        if (2 * values_.size() >= slots_.size()) {
+        if (2 * values_.size() >= slots_.size())
             grow();
-        }
         uint32_t& slot = slotOf(value);
         if (slot == kEmpty) {
             slot = static_cast<uint32_t>(values_.size());
@@ -32,9 +31,8 @@ public:
     std::vector<uint32_t> addAll(std::span<const Vector> values) {
         std::vector<uint32_t> numbers;
         numbers.reserve(values.size());
-        for (const Vector& value : values) {
+        for (const Vector& value : values)
             numbers.push_back(add(value));
-        }
         return numbers;
     }
 
@@ -62,17 +60,15 @@ private:
     uint32_t& slotOf(const Vector& value) {
         const size_t mask = slots_.size() - 1;
         size_t i = hash(value) & mask;
-        while (slots_[i] != kEmpty && values_[slots_[i]] != value) {
+        while (slots_[i] != kEmpty && values_[slots_[i]] != value)
             i = (i + 1) & mask;
-        }
         return slots_[i];
     }
 
     void grow() {
         slots_.assign(std::max(kFewestSlots, 2 * slots_.size()), kEmpty);
-        for (size_t i = 0; i < values_.size(); ++i) {
+        for (size_t i = 0; i < values_.size(); ++i)
             slotOf(values_[i]) = static_cast<uint32_t>(i);
-        }
     }
 
     std::vector<Vector> values_;

@@ -74,9 +74,8 @@ public:
         glm::dvec3 corner[3];
         for (int k = 0; k < 3; ++k) {
             corner[k] = worldFromObject_.point(source_.positions[triangle.position[k]]);
-            if (!isFinite(corner[k])) {
+            if (!isFinite(corner[k]))
                 throw SceneError(where, "a vertex lies beyond the range of finite numbers");
-            }
         }
         if (scaledNormal(corner[0], corner[1], corner[2]) == glm::dvec3(0.0)) {
             ++dropped_;
@@ -125,19 +124,16 @@ void smoothNormals(Mesh& mesh) {
     DistinctValues<glm::dvec3> distinct;
     const std::vector<uint32_t> place = distinct.addAll(mesh.positions);
     std::vector<Mesh::Triangle> merged = mesh.triangles;
-    for (Mesh::Triangle& triangle : merged) {
-        for (uint32_t& corner : triangle.position) {
+    for (Mesh::Triangle& triangle : merged)
+        for (uint32_t& corner : triangle.position)
             corner = place[corner];
-        }
-    }
     mesh.normals = areaWeightedNormals(distinct.values(), merged);
     for (size_t i = 0; i < merged.size(); ++i) {
         const auto& corners = merged[i].position;
         const bool cancelled = std::ranges::any_of(
             corners, [&](uint32_t corner) { return mesh.normals[corner] == glm::dvec3(0.0); });
-        for (int k = 0; k < 3; ++k) {
+        for (int k = 0; k < 3; ++k)
             mesh.triangles[i].normal[k] = cancelled ? Mesh::kNoNormal : corners[k];
-        }
     }
 }
 
@@ -146,16 +142,13 @@ void smoothNormals(Mesh& mesh) {
 MeshAndDropped buildMesh(const ObjectMesh& source, const AffineTransform& worldFromObject,
                          NormalMode mode, const std::string& where) {
     MeshBuilder builder(source, worldFromObject, mode == NormalMode::Auto);
-    for (const Mesh::Triangle& triangle : source.triangles) {
+    for (const Mesh::Triangle& triangle : source.triangles)
         builder.add(triangle, where);
-    }
     MeshAndDropped result = std::move(builder).take();
-    if (result.mesh.triangles.empty()) {
+    if (result.mesh.triangles.empty())
         throw SceneError(where, "no triangle of this shape has an area");
-    }
-    if (mode == NormalMode::Smooth) {
+    if (mode == NormalMode::Smooth)
         smoothNormals(result.mesh);
-    }
     return result;
 }
 

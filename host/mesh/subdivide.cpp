@@ -31,18 +31,15 @@ public:
         const std::vector<uint32_t> uv = uvs_.addAll(mesh.uvs);
         std::vector<uint32_t> normal;
         normal.reserve(mesh.normals.size());
-        for (const glm::dvec3& given : mesh.normals) {
+        for (const glm::dvec3& given : mesh.normals)
             normal.push_back(normals_.add(unitNormal(given)));
-        }
         for (Mesh::Triangle& triangle : triangles_) {
             for (int k = 0; k < 3; ++k) {
                 triangle.position[k] = position[triangle.position[k]];
-                if (triangle.normal[k] != Mesh::kNoNormal) {
+                if (triangle.normal[k] != Mesh::kNoNormal)
                     triangle.normal[k] = normal[triangle.normal[k]];
-                }
-                if (triangle.uv[k] != Mesh::kNoUv) {
+                if (triangle.uv[k] != Mesh::kNoUv)
                     triangle.uv[k] = uv[triangle.uv[k]];
-                }
             }
         }
     }
@@ -50,9 +47,8 @@ public:
     void step() {
         std::vector<Mesh::Triangle> finer;
         finer.reserve(4 * triangles_.size());
-        for (const Mesh::Triangle& triangle : triangles_) {
+        for (const Mesh::Triangle& triangle : triangles_)
             split(triangle, finer);
-        }
         triangles_ = std::move(finer);
     }
 
@@ -128,9 +124,8 @@ private:
 uint64_t subdividedCount(uint64_t count, uint32_t times) {
     constexpr uint64_t kMost = std::numeric_limits<uint64_t>::max();
     for (uint32_t i = 0; i < times && count > 0; ++i) {
-        if (count > kMost / 4) {
+        if (count > kMost / 4)
             return kMost;
-        }
         count *= 4;
     }
     return count;
@@ -138,9 +133,8 @@ uint64_t subdividedCount(uint64_t count, uint32_t times) {
 
 Mesh subdivide(const ObjectMesh& mesh, uint32_t times) {
     Subdivider subdivider(mesh);
-    for (uint32_t i = 0; i < times; ++i) {
+    for (uint32_t i = 0; i < times; ++i)
         subdivider.step();
-    }
     return std::move(subdivider).take();
 }
 

@@ -47,9 +47,8 @@ void Triangulator::moveToOrigin(std::span<const glm::dvec3> polygon) {
     }
     if (size > 0.0) {
         const double scale = std::ldexp(1.0, std::clamp(-std::ilogb(size), -1000, 1000));
-        for (glm::dvec3& p : local_) {
+        for (glm::dvec3& p : local_)
             p *= scale;
-        }
     }
 }
 
@@ -74,9 +73,8 @@ void Triangulator::project() {
     const int dropped = size.x > size.y && size.x > size.z ? 0 : (size.y > size.z ? 1 : 2);
     int u = (dropped + 1) % 3;
     int v = (dropped + 2) % 3;
-    if (normal[dropped] < 0.0) {
+    if (normal[dropped] < 0.0)
         std::swap(u, v);
-    }
     const auto count = static_cast<uint32_t>(local_.size());
     corners_.resize(count);
     for (uint32_t i = 0; i < count; ++i) {
@@ -95,18 +93,16 @@ double Triangulator::turn(uint32_t corner) const {
 
 void Triangulator::updateReflex(uint32_t corner) {
     const bool reflex = !(turn(corner) > 0.0);
-    if (reflex && !corners_[corner].reflex) {
+    if (reflex && !corners_[corner].reflex)
         reflex_.push_back(corner);
-    }
     corners_[corner].reflex = reflex;
 }
 
 bool Triangulator::isEar(uint32_t corner) {
     const Corner& b = corners_[corner];
     testsLeft_ -= std::min(testsLeft_, b.reflex ? 1 : reflex_.size() + 1);
-    if (b.reflex || testsLeft_ == 0) {
+    if (b.reflex || testsLeft_ == 0)
         return false;
-    }
     const Corner& a = corners_[b.previous];
     const Corner& c = corners_[b.next];
     const auto leftOf = [](const Corner& from, const Corner& to, const Corner& p) {
@@ -118,12 +114,10 @@ bool Triangulator::isEar(uint32_t corner) {
     // Only a reflex corner can reach into an ear first.
     for (const uint32_t index : reflex_) {
         const Corner& p = corners_[index];
-        if (!p.reflex || samePlace(p, a) || samePlace(p, b) || samePlace(p, c)) {
+        if (!p.reflex || samePlace(p, a) || samePlace(p, b) || samePlace(p, c))
             continue;
-        }
-        if (leftOf(a, b, p) && leftOf(b, c, p) && leftOf(c, a, p)) {
+        if (leftOf(a, b, p) && leftOf(b, c, p) && leftOf(c, a, p))
             return false;
-        }
     }
     return true;
 }
@@ -132,9 +126,8 @@ bool Triangulator::isEar(uint32_t corner) {
 uint32_t Triangulator::flattestCorner(uint32_t corner, uint32_t left) const {
     uint32_t candidate = corner;
     for (uint32_t i = 0; i < left && testsLeft_ > 0; ++i) {
-        if (turn(candidate) == 0.0) {
+        if (turn(candidate) == 0.0)
             return candidate;
-        }
         candidate = corners_[candidate].next;
     }
     return corner;
@@ -153,9 +146,8 @@ void Triangulator::clip(uint32_t corner) {
 void Triangulator::clipEars() {
     project();
     auto left = static_cast<uint32_t>(corners_.size());
-    for (uint32_t i = 0; i < left; ++i) {
+    for (uint32_t i = 0; i < left; ++i)
         updateReflex(i);
-    }
     uint32_t corner = 1; // so that a convex polygon becomes the fan from corner 0
     uint32_t misses = 0;
     while (left > 3) {
@@ -191,11 +183,10 @@ Triangulator::triangulate(std::span<const glm::dvec3> polygon) {
         return triangles_;
     }
     moveToOrigin(polygon);
-    if (polygon.size() == 4) {
+    if (polygon.size() == 4)
         cutQuad();
-    } else {
+    else
         clipEars();
-    }
     return triangles_;
 }
 

@@ -221,12 +221,11 @@ private:
     /// Materials of some primitive. What others would need of the kernel is left out.
     void packMaterials() {
         for (const Shape& shape : scene_.shapes) {
-            if (const Mesh* mesh = std::get_if<Mesh>(&shape.geometry)) {
+            if (const Mesh* mesh = std::get_if<Mesh>(&shape.geometry))
                 for (const Mesh::Triangle& triangle : mesh->triangles)
                     packMaterialOnce(triangle.material);
-            } else {
+            else
                 packMaterialOnce(shape.material);
-            }
         }
     }
 

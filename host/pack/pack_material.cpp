@@ -85,9 +85,8 @@ shared::Material packMaterial(const Material& material, std::span<const Texture>
     const auto enable = [&](uint32_t feature, bool needed) {
         features.enabled[feature] = features.enabled[feature] || needed;
     };
-    for (const LobeFeature& lobe : kLobeFeatures) {
+    for (const LobeFeature& lobe : kLobeFeatures)
         enable(lobe.feature, (packed.lobes & lobe.lobe) != 0);
-    }
     enable(shared::kFeatureMirrors, hasGgx && mayBeMirror(material));
     enable(shared::kFeatureAlpha, isTransparent(material));
 

@@ -52,9 +52,8 @@ struct ReadContext {
     }
 
     void progress(const std::filesystem::path& file, double done) const {
-        if (options.onProgress) {
+        if (options.onProgress)
             options.onProgress(file.filename().string(), done);
-        }
     }
 };
 

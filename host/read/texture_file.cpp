@@ -39,9 +39,8 @@ TextureFile readTextureFile(const std::string& name, const std::filesystem::path
     if (!cached) {
         std::error_code unknown;
         const uintmax_t size = std::filesystem::file_size(path, unknown);
-        if (!unknown && size > kLargestFile) {
+        if (!unknown && size > kLargestFile)
             throw SceneError(path, "the image file is larger than 2 GiB");
-        }
         context.progress(path, 0.0);
         const std::string bytes = readFile(path, where);
         context.hash.add(bytes);

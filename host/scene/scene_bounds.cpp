@@ -41,11 +41,9 @@ Bounds3d boundsOf(const Disk& disk) {
 
 Bounds3d boundsOf(const Mesh& mesh) {
     Bounds3d bounds;
-    for (const Mesh::Triangle& triangle : mesh.triangles) {
-        for (const uint32_t index : triangle.position) {
+    for (const Mesh::Triangle& triangle : mesh.triangles)
+        for (const uint32_t index : triangle.position)
             bounds.extend(mesh.positions[index]);
-        }
-    }
     return bounds;
 }
 
@@ -57,9 +55,8 @@ Bounds3d shapeBounds(const Shape& shape) {
 
 Bounds3d sceneBounds(const Scene& scene) {
     Bounds3d bounds;
-    for (const Shape& shape : scene.shapes) {
+    for (const Shape& shape : scene.shapes)
         bounds.extend(shapeBounds(shape));
-    }
     return bounds;
 }
 

@@ -12,9 +12,8 @@ bool isOdd(double whole) { return std::fmod(whole, 2.0) != 0.0; }
 /// The index in [0, count) of the texel that stands for `index`, a whole number of any size.
 uint32_t wrapped(double index, uint32_t count, TextureWrap wrap) {
     const double n = count;
-    if (wrap == TextureWrap::Clamp) {
+    if (wrap == TextureWrap::Clamp)
         return index <= 0.0 ? 0 : index >= n ? count - 1 : static_cast<uint32_t>(index);
-    }
     const double period = wrap == TextureWrap::Mirror ? 2.0 * n : n;
     const double remainder = std::fmod(index, period); // exact
     const double inPeriod = remainder < 0.0 ? remainder + period : remainder;
@@ -53,9 +52,8 @@ glm::dvec4 lookUp(const ImageTexture& texture, const glm::dvec2& uv, bool decode
     const TexelGrid grid(texture, decodes && texture.decodesColor);
     const double x = uv.x * texture.image->width;
     const double y = uv.y * texture.image->height;
-    if (texture.filter == TextureFilter::Nearest) {
+    if (texture.filter == TextureFilter::Nearest)
         return grid.at(std::floor(x), std::floor(y));
-    }
     const double left = std::floor(x - 0.5);
     const double bottom = std::floor(y - 0.5);
     const double toRight = x - 0.5 - left;

@@ -28,7 +28,7 @@ std::string base64(std::string_view bytes) {
 
 std::string escaped(std::string_view text) {
     std::string result;
-    for (const char c : text) {
+    for (const char c : text)
         if (c == '&')
             result += "&amp;";
         else if (c == '<')
@@ -39,7 +39,6 @@ std::string escaped(std::string_view text) {
             result += "&quot;";
         else
             result += c;
-    }
     return result;
 }
 

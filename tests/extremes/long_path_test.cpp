@@ -141,11 +141,10 @@ TEST_F(LongPathTest, RaysThatOutgrowTheLoopsAreCounted) {
     std::cout << dark << " dark pixels of 256, " << result.totals.losses.cutPaths << " counted\n";
     EXPECT_LE(dark, result.totals.losses.cutPaths);
     EXPECT_LE(result.totals.losses.cutPaths, 256 - missing);
-    if (hasLoopLimit()) {
+    if (hasLoopLimit())
         EXPECT_GT(result.totals.losses.cutPaths, 0u);
-    } else {
+    else
         EXPECT_EQ(result.totals.losses.cutPaths, 0u);
-    }
 }
 
 } // namespace

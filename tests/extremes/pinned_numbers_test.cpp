@@ -157,9 +157,8 @@ TEST_F(PinnedNumbers, ScatterToTheRightSide) {
                     << test.name;
                 ASSERT_LE(scattered.weight.x, 8.0f) << test.name;
             }
-            if (test.material.type != MaterialType::Dielectric) {
+            if (test.material.type != MaterialType::Dielectric)
                 ASSERT_EQ(scattered.pdf, scattered.pdfAgain) << test.name;
-            }
         }
     }
 }

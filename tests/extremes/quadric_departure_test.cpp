@@ -107,9 +107,8 @@ TEST_P(QuadricDeparture, NeitherMeetsItselfNorEscapes) {
     const bool isFlatCone = kind == shared::kCone && proportion > 1.0;
     const double wedge = isFlatCone ? 14.0 * 0x1p-23 * proportion : 0.0;
     EXPECT_LE(mistakes.wrongSide, wedge * mistakes.rays / 2) << mistakes.example; // half go inward
-    if (std::max(proportion, 1.0 / proportion) < 1.001 * kThinnestProportion) {
+    if (std::max(proportion, 1.0 / proportion) < 1.001 * kThinnestProportion)
         EXPECT_LE(mistakes.wrongSide, 1e-2 * mistakes.rays) << mistakes.example;
-    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, QuadricDeparture,

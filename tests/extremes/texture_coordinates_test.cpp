@@ -139,9 +139,8 @@ TEST_F(FarTextures, TexelsAreFoundUpToTheLimit) {
             EXPECT_LE(worst, 0.5);
             EXPECT_GE(seen, kTexels);
         }
-        if (far >= 16.0 * kFarthestTexel) {
+        if (far >= 16.0 * kFarthestTexel)
             EXPECT_LE(seen, kTexels / 2 + 1);
-        }
     }
 }
 

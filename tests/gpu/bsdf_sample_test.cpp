@@ -79,9 +79,8 @@ TEST_F(BsdfSample, WeighsValueOverDensity) {
             for (const shared::TestScattered& sample : drawSamples(test, cosThetaO, random)) {
                 ASSERT_TRUE(std::isfinite(sample.weight.x + sample.pdf)) << test.name;
                 const glm::dvec3 wi = glm::normalize(glm::dvec3(sample.wi));
-                if (sample.pdf == 0.0f || wi.z < 1e-3) {
+                if (sample.pdf == 0.0f || wi.z < 1e-3)
                     continue;
-                }
                 ASSERT_EQ(sample.pdf, sample.pdfAgain);
                 const glm::dvec3 value = oracleValue(test.material, wo, wi);
                 const double pdf = mixturePdf(test, sample.diffuseProbability, wo, wi);

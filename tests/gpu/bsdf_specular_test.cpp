@@ -187,11 +187,10 @@ TEST_F(Specular, DirectionsAgreeWithTheTrueSurface) {
         ASSERT_TRUE(std::isfinite(leaving));
         ASSERT_NEAR(glm::length(results[i].wi), 1.0f, 1e-5f);
         ASSERT_GT(glm::dot(glm::dvec3(events[i].wo), glm::dvec3(results[i].ns)), -1e-6);
-        if (results[i].crosses != 0) {
+        if (results[i].crosses != 0)
             ASSERT_LE(side * leaving, 1e-7);
-        } else {
+        else
             ASSERT_GE(side * leaving, -1e-7);
-        }
     }
 }
 

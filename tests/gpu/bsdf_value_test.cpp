@@ -118,9 +118,8 @@ TEST_F(BsdfValue, IsZeroBelowTheSurfaceAndFiniteAtItsEdge) {
             ASSERT_TRUE(std::isfinite(r.given.x + r.given.y + r.given.z + r.givenPdf)) << test.name;
             ASSERT_TRUE(std::isfinite(r.weight.x + r.weight.y + r.weight.z + r.pdf)) << test.name;
             ASSERT_GE(std::min({r.given.x, r.given.y, r.given.z, r.givenPdf}), 0.0f) << test.name;
-            if (events[i].wi.z < 0.0f) {
+            if (events[i].wi.z < 0.0f)
                 ASSERT_EQ(r.given, glm::vec3(0.0f)) << test.name;
-            }
         }
     }
 }

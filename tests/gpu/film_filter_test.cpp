@@ -97,9 +97,8 @@ TEST_P(FilmFilterSampling, GoesFromEndToEnd) {
             // By the quantiles' definition, but for the table's steps.
             ASSERT_NEAR(oracle_.shareBelow(found[i][axis]), points[i][axis], 1.0 / 1023);
         }
-        if (i > 0) {
+        if (i > 0)
             ASSERT_GE(found[i].x, found[i - 1].x - kRounding);
-        }
     }
     EXPECT_NEAR(found.front().x, -oracle_.radius(), kRounding);
     EXPECT_NEAR(found.back().x, oracle_.radius(), 1e-4);

@@ -181,9 +181,8 @@ TEST_P(LightSampling, LiesOnTheLightWithOneDensity) {
         EXPECT_LE(distanceFromLight(point), point.error);
         const glm::dvec3 toReference = glm::dvec3(reference_) - glm::dvec3(point.position);
         const double facing = glm::dot(toReference, glm::dvec3(point.normal));
-        if (std::abs(facing) > 1e-6 * glm::length(toReference)) {
+        if (std::abs(facing) > 1e-6 * glm::length(toReference))
             EXPECT_EQ(glm::vec3(point.emitted), facing > 0.0 ? kRadiance : glm::vec3(0.0f));
-        }
         if (point.pdf > 0.0f)
             worstPdf = std::max(worstPdf, std::abs(double(point.pdfOfHit) / point.pdf - 1.0));
     }

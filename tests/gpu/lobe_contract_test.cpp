@@ -163,9 +163,8 @@ TEST_P(LobeContract, HasADensityWhereverItHasAValue) {
             ASSERT_GE(std::min({result.given.x, result.given.y, result.given.z, result.givenPdf}),
                       0.0f)
                 << cosThetaO;
-            if (result.given.x > 0.0f) {
+            if (result.given.x > 0.0f)
                 ASSERT_GT(result.givenPdf, 0.0f) << cosThetaO;
-            }
         }
     }
 }

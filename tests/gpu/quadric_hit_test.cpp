@@ -33,9 +33,8 @@ TEST_P(QuadricHit, IsThatOfASurfaceWithinRounding) {
     EXPECT_LE(errors.roundoffs, kAllowedRoundoffs) << errors.worstRay;
     EXPECT_LE(errors.positionShare, 1.0) << errors.worstPosition;
     EXPECT_LE(errors.normalShare, 1.0);
-    if (rayKind == RayKind::Outside || (rayKind == RayKind::Inside && kind != shared::kDisk)) {
+    if (rayKind == RayKind::Outside || (rayKind == RayKind::Inside && kind != shared::kDisk))
         EXPECT_LE(errors.disagreements, 2u);
-    }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, QuadricHit,

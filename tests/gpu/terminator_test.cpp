@@ -121,12 +121,11 @@ TEST_F(TerminatorOffset, IsZeroAtTheCornersAndTowardsTheLightBetween) {
         normals.push_back(side * triangle.faceNormal());
     }
     const auto offsets = run(points);
-    for (size_t i = 0; i < offsets.size(); ++i) {
+    for (size_t i = 0; i < offsets.size(); ++i)
         if (i % 2 == 0)
             ASSERT_EQ(offsets[i], glm::dvec3(0.0));
         else
             ASSERT_GT(glm::dot(offsets[i], normals[i]), 1e-3);
-    }
 }
 
 // On a sphere of radius r let Q be the sum of b_i b_j e_ij^2 over the three edges e_ij / r. Then
@@ -166,9 +165,8 @@ TEST_F(TerminatorOffset, IsZeroOnATriangleWithoutNormalsAndFiniteOnOneWithoutAre
     }
     const auto offsets = run(points);
     for (size_t i = 0; i < offsets.size(); ++i) {
-        if (i % 2 == 0) {
+        if (i % 2 == 0)
             ASSERT_EQ(offsets[i], glm::dvec3(0.0));
-        }
         ASSERT_LT(glm::length(offsets[i]), 1e-5);
     }
 }

@@ -54,9 +54,8 @@ TEST_F(TextureTexel, DecodesNeitherAlphaNorWhatIsNoColor) {
     for (size_t i = 0; i < colors.size(); ++i) {
         EXPECT_FLOAT_EQ(colors[i].a, 128.0f / 255.0f);
         EXPECT_NEAR(colors[i].b, 1.0f, i == 0 ? kDecodingError : 0.0);
-        if (i > 0) {
+        if (i > 0)
             EXPECT_FLOAT_EQ(colors[i].r, 128.0f / 255.0f);
-        }
     }
 }
 

@@ -77,9 +77,8 @@ TEST_F(FirstHitTest, OfASquareIsItsPlaneAndItsCoordinates) {
                 EXPECT_EQ(hit.albedo, glm::vec3(0.5f));
                 EXPECT_NEAR(hit.depth, 5.0, 5.0 * kRounding);
                 EXPECT_LT(hit.primitive, 2u);
-                if (std::abs(p.x - p.y) > kRounding) { // else on the diagonal: either triangle's
+                if (std::abs(p.x - p.y) > kRounding) // else on the diagonal: either triangle's
                     EXPECT_EQ(hit.primitive, p.y < p.x ? 0u : 1u) << x << "," << y;
-                }
                 const double u = 0.5 + 0.5 * p.x;
                 EXPECT_NEAR(hit.uv.x, mirroredU ? 1.0 - u : u, kRounding);
                 EXPECT_NEAR(hit.uv.y, 0.5 + 0.5 * p.y, kRounding);

@@ -51,9 +51,8 @@ TEST_F(ReferenceTest, BitterliCornellBox) {
 TEST_F(ReferenceTest, BitterliVeachMisButForItsPlates) {
     const std::filesystem::path reference = std::filesystem::path(kProjectFolder) /
                                             "../shared/data/bitterli-veach-mis/TungstenRender.exr";
-    if (!std::filesystem::exists(reference)) {
+    if (!std::filesystem::exists(reference))
         GTEST_SKIP() << "there is no " << reference;
-    }
     const Scene scene = projectScene("tests/image/scenes/bitterli-veach-mis.json");
     RenderWish wish;
     wish.width = 320;

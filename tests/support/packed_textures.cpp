@@ -13,12 +13,11 @@ std::shared_ptr<const TexelImage> randomImage(const ImageForm& form, RandomNumbe
     image.width = form.width;
     image.height = form.height;
     image.isEncoded = form.isEncoded;
-    for (size_t i = 0; i < 4 * image.texelCount(); ++i) {
+    for (size_t i = 0; i < 4 * image.texelCount(); ++i)
         if (form.holdsBytes)
             image.bytes.push_back(static_cast<uint8_t>(random.below(256)));
         else
             image.floats.push_back((form.isEncoded ? 1.0f : 20.0f) * random.deviceUnit());
-    }
     return std::make_shared<const TexelImage>(std::move(image));
 }
 

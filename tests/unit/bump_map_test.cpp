@@ -17,9 +17,8 @@ TexelImage imageOf(uint32_t width, uint32_t height, Value value) {
     image.height = height;
     for (uint32_t y = 0; y < height; ++y) {
         for (uint32_t x = 0; x < width; ++x) {
-            for (int k = 0; k < 3; ++k) {
+            for (int k = 0; k < 3; ++k)
                 image.floats.push_back(static_cast<float>(value(x, y)));
-            }
             image.floats.push_back(1.0f);
         }
     }

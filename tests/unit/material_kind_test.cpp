@@ -63,9 +63,8 @@ TEST(MaterialKind, DefaultsLieInTheirRanges) {
     for (const MaterialKind& kind : materialKinds()) {
         for (const MaterialParameter& parameter : kind.parameters) {
             const auto* number = std::get_if<NumberParameter>(&parameter.value);
-            if (number != nullptr && parameter.otherwise) {
+            if (number != nullptr && parameter.otherwise)
                 EXPECT_TRUE(number->range.contains(*parameter.otherwise)) << parameter.name;
-            }
             if (std::holds_alternative<FlagParameter>(parameter.value) ||
                 std::holds_alternative<ChoiceParameter>(parameter.value)) {
                 EXPECT_TRUE(parameter.otherwise) << parameter.name << " needs a default";

@@ -90,9 +90,8 @@ TEST_F(MtlMaterials, GlassNeedsItsModelAndTransparency) {
     EXPECT_EQ(materialOf("illum 4\nd 1\nNi 1\n").type, MaterialType::Diffuse);
     EXPECT_EQ(materialOf("illum 4\nNi 1.5\nKe 1\n").type, MaterialType::Diffuse);
     EXPECT_EQ(materialOf("illum 4\nNi 1.5\nmap_d leaf.png\n").type, MaterialType::Diffuse);
-    for (const char* ni : {"Ni 1\n", "Ni 0\n", "Ni -2\n", ""}) {
+    for (const char* ni : {"Ni 1\n", "Ni 0\n", "Ni -2\n", ""})
         EXPECT_EQ(remarkedMaterialOf(std::string("illum 7\nd 0.1\n") + ni, "Ni of glass").ior, 1.5);
-    }
 }
 
 TEST_F(MtlMaterials, ABlackFilterIsGlass) {

@@ -56,9 +56,8 @@ TEST(ObjCheck, AcceptsWhatIsLegalOrDoesNotMatter) {
         kTriangle + "vn nan 0 inf\nf 1//1 2//1 3//1\n",
         kTriangle + "vt 1e30 0\nvt 1e9 -1e9 1e30\nf 1/2 2/2 3/2\n",
     };
-    for (const std::string& text : texts) {
+    for (const std::string& text : texts)
         EXPECT_NO_THROW(checkObj(text, "a.obj")) << text;
-    }
 }
 
 TEST(ObjCheck, ListsNormalsThatAreNotFinite) {

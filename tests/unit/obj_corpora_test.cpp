@@ -15,15 +15,12 @@ namespace fs = std::filesystem;
 
 TEST(ObjCorpora, EdgeCasesLoadOrAreRefused) {
     const fs::path root = fs::path(kProjectFolder) / "../shared/data/obj-edge-cases";
-    if (!fs::exists(root)) {
+    if (!fs::exists(root))
         GTEST_SKIP() << "../shared/data is not there";
-    }
     std::vector<fs::path> paths;
-    for (const auto& entry : fs::recursive_directory_iterator(root)) {
-        if (entry.path().extension() == ".obj") {
+    for (const auto& entry : fs::recursive_directory_iterator(root))
+        if (entry.path().extension() == ".obj")
             paths.push_back(entry.path());
-        }
-    }
     LoadOptions warn;
     warn.missingTextures = MissingTextures::Warn;
     size_t loaded = 0;

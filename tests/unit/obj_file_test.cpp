@@ -58,9 +58,8 @@ TEST(ObjTriangulate, ConvexPolygonsBecomeFans) {
     Triangulator triangulator;
     const auto triangles = triangulator.triangulate(octagon);
     ASSERT_EQ(triangles.size(), 6u);
-    for (uint32_t i = 0; i < 6; ++i) {
+    for (uint32_t i = 0; i < 6; ++i)
         EXPECT_EQ(triangles[i], (Triangulator::Triangle{0, i + 1, i + 2}));
-    }
 }
 
 TEST(ObjTriangulate, ConcavePolygonsAreCoveredFromEveryStart) {
@@ -110,9 +109,8 @@ TEST(ObjTriangulate, SizeDoesNotMatter) {
         Triangulator triangulator;
         const auto unit = triangulator.triangulate(polygon);
         const std::vector<Triangulator::Triangle> expected(unit.begin(), unit.end());
-        for (glm::dvec3& p : polygon) {
+        for (glm::dvec3& p : polygon)
             p *= scale;
-        }
         const auto scaled = triangulator.triangulate(polygon);
         EXPECT_TRUE(triangulator.sound()) << scale;
         EXPECT_TRUE(std::equal(scaled.begin(), scaled.end(), expected.begin(), expected.end()))
@@ -136,9 +134,8 @@ TEST(ObjTriangulate, KeepsAllCornersOfPolygonsThatCrossThemselves) {
 TEST(ObjTriangulate, HugeRaggedPolygonsTakeBoundedTime) {
     const int teeth = 200'000;
     std::vector<glm::dvec3> comb;
-    for (int i = 0; i < teeth; ++i) {
+    for (int i = 0; i < teeth; ++i)
         comb.emplace_back(i, i % 2 == 0 ? 0.0 : 1000.0 + i % 7, 0.0);
-    }
     comb.emplace_back(teeth, -1.0, 0.0);
     comb.emplace_back(-1.0, -1.0, 0.0);
     Triangulator triangulator;
@@ -229,9 +226,8 @@ TEST(ObjFile, FollowsMaterialsFromFaceToFace) {
     EXPECT_TRUE(obj.hasFacesWithoutMaterial);
     const std::vector<uint32_t> expected = {ObjFile::kNoMaterial, 0, 0, 1, 0};
     ASSERT_EQ(obj.triangles.size(), expected.size());
-    for (size_t i = 0; i < expected.size(); ++i) {
+    for (size_t i = 0; i < expected.size(); ++i)
         EXPECT_EQ(obj.triangles[i].material, expected[i]) << i;
-    }
 }
 
 TEST(ObjFile, RefusesFilesWithoutPolygons) {

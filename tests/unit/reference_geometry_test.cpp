@@ -104,9 +104,8 @@ TEST(ReferenceGeometry, IsTheSameAtEveryScaleAndPlace) {
                     continue;
                 }
                 // The place of origin and shape is rounded to 1e-10 sizes, times 1 / cosine.
-                if (hit) {
+                if (hit)
                     EXPECT_NEAR(moved->t / scale, hit->t, 1e-14 + distance * 1e-13);
-                }
             }
             // Moved edges, off by 1e-10 of a size, decide for next to no ray.
             EXPECT_EQ(differences, 0u) << scale << " " << distance;

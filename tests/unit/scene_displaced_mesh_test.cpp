@@ -29,9 +29,8 @@ protected:
 
     /// Of all positions, which lie in one plane y = constant.
     static double heightOf(const Mesh& mesh) {
-        for (const glm::dvec3& p : mesh.positions) {
+        for (const glm::dvec3& p : mesh.positions)
             EXPECT_NEAR(p.y, mesh.positions[0].y, 1e-15);
-        }
         return mesh.positions.at(0).y;
     }
 };

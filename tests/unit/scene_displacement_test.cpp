@@ -23,9 +23,8 @@ const char* const kSquare = "v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nvt 0 0\nvt 1 0\
 Texture image(uint32_t width, uint32_t height, const std::vector<float>& values,
               TextureWrap wrap = TextureWrap::Clamp) {
     TexelImage texels{width, height, {}, {}, false, false};
-    for (const float value : values) {
+    for (const float value : values)
         texels.floats.insert(texels.floats.end(), {value, 0.0f, 0.0f, 1.0f});
-    }
     Texture texture;
     texture.source = ImageTexture{std::make_shared<const TexelImage>(texels), wrap};
     return texture;
@@ -34,9 +33,8 @@ Texture image(uint32_t width, uint32_t height, const std::vector<float>& values,
 Texture randomImage() {
     std::mt19937 random(3);
     std::vector<float> values(16 * 16);
-    for (float& value : values) {
+    for (float& value : values)
         value = static_cast<float>(random() & 1023) / 1023.0f;
-    }
     return image(16, 16, values, TextureWrap::Repeat);
 }
 
@@ -71,14 +69,11 @@ TEST(Displacement, OfAConstantHeightShiftsAPlane) {
     const Mesh mesh = displaced(kSquare, {by(-0.5, 0.25, 4)}, image(1, 1, {1.0f}));
     EXPECT_EQ(mesh.triangles.size(), 512u);
     EXPECT_EQ(mesh.positions.size(), 17u * 17u);
-    for (const glm::dvec3& p : mesh.positions) {
+    for (const glm::dvec3& p : mesh.positions)
         EXPECT_EQ(p.y, -0.5 * (1.0 - 0.25));
-    }
-    for (const Mesh::Triangle& triangle : mesh.triangles) {
-        for (const uint32_t normal : triangle.normal) {
+    for (const Mesh::Triangle& triangle : mesh.triangles)
+        for (const uint32_t normal : triangle.normal)
             EXPECT_EQ(mesh.normals.at(normal), glm::dvec3(0, 1, 0));
-        }
-    }
 }
 
 TEST(Displacement, OfAConstantHeightScalesAnOctahedron) {
@@ -185,14 +180,12 @@ TEST(Displacement, AveragesDistinctHeightsAtAPosition) {
             "vt 0.5 0\nusemtl a\nf 2/3 1/3 5/1\nf 3/3 2/3 5/4\nf 4/3 3/3 5/2\n" +
             last;
         std::vector<float> ramp;
-        for (int i = 0; i < 8; ++i) {
+        for (int i = 0; i < 8; ++i)
             ramp.push_back(static_cast<float>((i + 0.5) / 8.0));
-        }
         const Mesh mesh = displaced(text, ofMaterial, image(8, 1, ramp));
         double highest = 0.0;
-        for (const glm::dvec3& p : mesh.positions) {
+        for (const glm::dvec3& p : mesh.positions)
             highest = p.x == 1.0 ? p.y : highest;
-        }
         return highest;
     };
     const Displacement whole = by(1.0, 0.0, 0);
@@ -256,11 +249,9 @@ TEST(Displacement, RefusesTooManyTrianglesBeforeItMakesThem) {
 TEST(Displacement, MakesMillionsOfTrianglesInASecondOrTwo) {
     // 100 by 50 squares: 10,000 triangles.
     std::string text = "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n";
-    for (int i = 0; i <= 50; ++i) {
-        for (int j = 0; j <= 100; ++j) {
+    for (int i = 0; i <= 50; ++i)
+        for (int j = 0; j <= 100; ++j)
             text += "v " + std::to_string(j) + " 0 " + std::to_string(i) + "\n";
-        }
-    }
     for (int i = 0; i < 50; ++i) {
         for (int j = 1; j <= 100; ++j) {
             const int a = i * 101 + j;

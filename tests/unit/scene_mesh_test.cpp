@@ -37,11 +37,9 @@ protected:
 };
 
 bool hasWarning(const Scene& scene, const std::string& fragment) {
-    for (const std::string& warning : scene.warnings) {
-        if (warning.find(fragment) != std::string::npos) {
+    for (const std::string& warning : scene.warnings)
+        if (warning.find(fragment) != std::string::npos)
             return true;
-        }
-    }
     return false;
 }
 

@@ -53,9 +53,8 @@ struct Mistake {
 
 std::string nameOf(const testing::TestParamInfo<Mistake>& info) {
     std::string name = std::to_string(info.index);
-    for (const char c : info.param.pointer) {
+    for (const char c : info.param.pointer)
         name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
-    }
     return name;
 }
 
@@ -78,11 +77,10 @@ TEST_P(MistakeTest, IsAnErrorWithItsPlace) {
     const Mistake& mistake = GetParam();
     nlohmann::json scene = nlohmann::json::parse(kValidScene);
     const nlohmann::json::json_pointer pointer(mistake.pointer);
-    if (mistake.value.empty()) {
+    if (mistake.value.empty())
         scene.at(pointer.parent_pointer()).erase(pointer.back());
-    } else {
+    else
         scene[pointer] = nlohmann::json::parse(mistake.value);
-    }
     const SceneError error = errorOf([&] { files.load(scene); });
     expectError(error, mistake.where.empty() ? "scene.json" : "scene.json: " + mistake.where,
                 mistake.fragment);

@@ -28,11 +28,9 @@ nlohmann::json readJson(const fs::path& path) {
 
 std::vector<fs::path> sceneFiles() {
     std::vector<fs::path> scenes;
-    for (const auto& entry : fs::directory_iterator(kSourceFolder / "scenes")) {
-        if (entry.path().extension() == ".json" && entry.path().filename() != "scene.schema.json") {
+    for (const auto& entry : fs::directory_iterator(kSourceFolder / "scenes"))
+        if (entry.path().extension() == ".json" && entry.path().filename() != "scene.schema.json")
             scenes.push_back(entry.path());
-        }
-    }
     return scenes;
 }
 
@@ -40,30 +38,24 @@ std::vector<fs::path> sceneFiles() {
 void collectKeys(const nlohmann::json& json, std::set<std::string>& keys) {
     for (const auto& [key, value] : json.items()) {
         const bool names = key == "materials" || key == "textures";
-        if (json.is_object()) {
+        if (json.is_object())
             keys.insert(key);
-        }
-        if (names && json.is_object()) {
-            for (const auto& [unused, named] : value.items()) {
+        if (names && json.is_object())
+            for (const auto& [unused, named] : value.items())
                 collectKeys(named, keys);
-            }
-        } else if (value.is_structured()) {
+        else if (value.is_structured())
             collectKeys(value, keys);
-        }
     }
 }
 
 /// The keys of every "properties" in the schema.
 void collectProperties(const nlohmann::json& schema, std::set<std::string>& keys) {
     for (const auto& [key, value] : schema.items()) {
-        if (key == "properties" && schema.is_object()) {
-            for (const auto& [property, unused] : value.items()) {
+        if (key == "properties" && schema.is_object())
+            for (const auto& [property, unused] : value.items())
                 keys.insert(property);
-            }
-        }
-        if (value.is_structured()) {
+        if (value.is_structured())
             collectProperties(value, keys);
-        }
     }
 }
 
@@ -83,9 +75,8 @@ TEST(SceneSchema, KnowsEveryKeyInTheScenes) {
     for (const fs::path& path : sceneFiles()) {
         std::set<std::string> used;
         collectKeys(readJson(path), used);
-        for (const std::string& key : used) {
+        for (const std::string& key : used)
             EXPECT_TRUE(known.contains(key)) << path << " uses " << key;
-        }
     }
 }
 
@@ -104,9 +95,8 @@ void expectDescriptions(const nlohmann::json& schema, const std::string& place) 
                     << place << " " << property;
             }
         }
-        if (value.is_structured()) {
+        if (value.is_structured())
             expectDescriptions(value, place + "/" + key);
-        }
     }
 }
 
@@ -122,9 +112,8 @@ TEST(SceneSchema, ValidatesTheScenesAndRefusesBrokenOnes) {
         "python3 '" + script.string() + "' '" + (kSourceFolder / "scenes").string() + "'";
     const int status = std::system(command.c_str());
     ASSERT_TRUE(WIFEXITED(status));
-    if (WEXITSTATUS(status) == kModuleMissing || WEXITSTATUS(status) == kCommandMissing) {
+    if (WEXITSTATUS(status) == kModuleMissing || WEXITSTATUS(status) == kCommandMissing)
         GTEST_SKIP() << "python3 with jsonschema is not installed";
-    }
     EXPECT_EQ(WEXITSTATUS(status), 0);
 }
 

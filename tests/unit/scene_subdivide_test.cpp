@@ -25,9 +25,8 @@ TEST(Subdivide, SplitsAtTheMidpointsOfEdges) {
     ASSERT_EQ(mesh.triangles.size(), 4u);
     EXPECT_EQ(mesh.positions.size(), 6u);
     const std::set<glm::dvec3, LessByValue> positions(mesh.positions.begin(), mesh.positions.end());
-    for (const glm::dvec3 middle : {glm::dvec3(2, 0, 0), {2, 2, 1}, {0, 2, 1}}) {
+    for (const glm::dvec3 middle : {glm::dvec3(2, 0, 0), {2, 2, 1}, {0, 2, 1}})
         EXPECT_TRUE(positions.contains(middle)) << middle.x << " " << middle.y << " " << middle.z;
-    }
     const glm::dvec3 whole = glm::cross(glm::dvec3(4, 0, 0), glm::dvec3(0, 4, 2));
     for (const Mesh::Triangle& triangle : mesh.triangles) {
         // A quarter of the triangle, on its side.
@@ -61,13 +60,11 @@ TEST(Subdivide, OppositeNormalsLeaveTheirTrianglesFlat) {
     const Mesh mesh = subdivide(two.view(), 2);
     ASSERT_EQ(mesh.triangles.size(), 32u);
     for (const Mesh::Triangle& triangle : mesh.triangles) {
-        for (const uint32_t normal : triangle.normal) {
-            if (triangle.material == 0) {
+        for (const uint32_t normal : triangle.normal)
+            if (triangle.material == 0)
                 EXPECT_EQ(normal, Mesh::kNoNormal);
-            } else {
+            else
                 EXPECT_NEAR(glm::length(mesh.normals.at(normal)), 1.0, kRounding);
-            }
-        }
     }
 }
 

@@ -92,9 +92,8 @@ TEST(SceneSyntax, LongNamesAreShortenedAndCostNothing) {
 
 TEST(SceneSyntax, ManyRepetitionsOfAKeyStopAtTheFirst) {
     std::string text = "{";
-    for (int i = 0; i < 100'000; ++i) {
+    for (int i = 0; i < 100'000; ++i)
         text += "\"a\": 1, ";
-    }
     EXPECT_LT(secondsFor(text + "\"a\": 1}"), 1.0);
 }
 

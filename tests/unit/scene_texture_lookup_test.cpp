@@ -18,9 +18,8 @@ constexpr double kRounding = 1e-12;
 TexelImage randomBytes(uint32_t width, uint32_t height) {
     std::mt19937 random(width * 100 + height);
     TexelImage image{width, height, std::vector<uint8_t>(4 * width * height), {}, true, false};
-    for (uint8_t& byte : image.bytes) {
+    for (uint8_t& byte : image.bytes)
         byte = static_cast<uint8_t>(random() & 255);
-    }
     return image;
 }
 
@@ -39,13 +38,12 @@ int walk(int index, int count, TextureWrap wrap) {
         const int direction = index > 0 ? step : -step;
         const int next = at + direction;
         const bool outside = next < 0 || next >= count;
-        if (!outside) {
+        if (!outside)
             at = next;
-        } else if (wrap == TextureWrap::Repeat) {
+        else if (wrap == TextureWrap::Repeat)
             at = next < 0 ? count - 1 : 0;
-        } else if (wrap == TextureWrap::Mirror) {
+        else if (wrap == TextureWrap::Mirror)
             step = -step; // the edge texel is seen twice
-        }
     }
     return at;
 }

@@ -18,9 +18,8 @@ constexpr double kRounding = 1e-14;
 
 void expectNear(const glm::dvec3& actual, const glm::dvec3& expected,
                 double tolerance = kRounding) {
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 3; ++i)
         EXPECT_NEAR(actual[i], expected[i], tolerance) << "component " << i;
-    }
 }
 
 template <typename Geometry>
@@ -63,9 +62,8 @@ TEST(Rotation, TakesYToAnyDirection) {
         const glm::dmat3 r = rotationTakingYTo(direction);
         EXPECT_EQ(r * glm::dvec3(0, 1, 0), direction);
         const glm::dmat3 product = glm::transpose(r) * r;
-        for (int i = 0; i < 3; ++i) {
+        for (int i = 0; i < 3; ++i)
             expectNear(product[i], glm::dmat3(1.0)[i], 1e-15);
-        }
         EXPECT_NEAR(glm::determinant(r), 1.0, 1e-15);
     }
 }

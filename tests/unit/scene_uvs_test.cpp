@@ -12,19 +12,16 @@ using Uvs = std::vector<glm::dvec2>;
 /// Those of the corners of a triangle.
 Uvs uvsOf(const Mesh& mesh, size_t triangle) {
     Uvs uvs;
-    for (const uint32_t index : mesh.triangles.at(triangle).uv) {
+    for (const uint32_t index : mesh.triangles.at(triangle).uv)
         uvs.push_back(mesh.uvs.at(index));
-    }
     return uvs;
 }
 
 /// The texture coordinates at the corner of a triangle that lies at `position`.
 glm::dvec2 uvAt(const Mesh& mesh, size_t triangle, const glm::dvec3& position) {
-    for (int k = 0; k < 3; ++k) {
-        if (mesh.positions.at(mesh.triangles.at(triangle).position[k]) == position) {
+    for (int k = 0; k < 3; ++k)
+        if (mesh.positions.at(mesh.triangles.at(triangle).position[k]) == position)
             return mesh.uvs.at(mesh.triangles.at(triangle).uv[k]);
-        }
-    }
     ADD_FAILURE() << "no corner there";
     return {};
 }

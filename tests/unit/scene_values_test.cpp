@@ -16,9 +16,8 @@ constexpr double kRounding = 1e-15;
 
 void expectNear(const glm::dvec3& actual, const glm::dvec3& expected,
                 double tolerance = kRounding) {
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 3; ++i)
         EXPECT_NEAR(actual[i], expected[i], tolerance) << "component " << i;
-    }
 }
 
 Camera cameraOf(const std::string& camera) {

@@ -39,9 +39,8 @@ inline const std::string kSplitCube = [] {
 class TestMesh {
 public:
     explicit TestMesh(const std::string& text) : obj_(parseObj(text, "m.obj")) {
-        for (Mesh::Triangle& triangle : obj_.triangles) {
+        for (Mesh::Triangle& triangle : obj_.triangles)
             triangle.material = triangle.material == ObjFile::kNoMaterial ? 0 : triangle.material;
-        }
     }
 
     ObjectMesh view() const { return {obj_.positions, obj_.normals, obj_.uvs, obj_.triangles}; }
@@ -61,18 +60,16 @@ inline glm::dvec3 areaVector(const Mesh& mesh, const Mesh::Triangle& t) {
 
 inline double areaOf(const Mesh& mesh) {
     double sum = 0.0;
-    for (const Mesh::Triangle& triangle : mesh.triangles) {
+    for (const Mesh::Triangle& triangle : mesh.triangles)
         sum += glm::length(areaVector(mesh, triangle));
-    }
     return sum;
 }
 
 /// By the divergence theorem.
 inline double volumeOf(const Mesh& mesh) {
     double sum = 0.0;
-    for (const Mesh::Triangle& triangle : mesh.triangles) {
+    for (const Mesh::Triangle& triangle : mesh.triangles)
         sum += glm::dot(areaVector(mesh, triangle), corner(mesh, triangle, 0)) / 3.0;
-    }
     return sum;
 }
 
@@ -93,12 +90,10 @@ inline void expectWatertight(const Mesh& mesh) {
     std::map<std::pair<int, int>, int> runs;
     for (const Mesh::Triangle& triangle : mesh.triangles) {
         int ends[3];
-        for (int k = 0; k < 3; ++k) {
+        for (int k = 0; k < 3; ++k)
             ends[k] = number.try_emplace(corner(mesh, triangle, k), number.size()).first->second;
-        }
-        for (int k = 0; k < 3; ++k) {
+        for (int k = 0; k < 3; ++k)
             ++runs[{ends[k], ends[(k + 1) % 3]}];
-        }
     }
     for (const auto& [edge, count] : runs) {
         ASSERT_EQ(count, 1);

@@ -40,20 +40,17 @@ void placeByTarget(Camera& camera, const JsonObject& object) {
     if (const auto target = object.optional("target")) {
         const glm::dvec3 view = target->vector() - camera.position;
         const double distance = glm::length(view);
-        if (distance == 0.0) {
+        if (distance == 0.0)
             target->fail("is the camera's position too, so that it looks nowhere");
-        }
         camera.forward = view / distance;
-        if (!std::isfinite(distance)) {
+        if (!std::isfinite(distance))
             target->fail("is too far from the camera's position to tell the direction");
-        }
     }
     const auto upValue = object.optional("up");
     const glm::dvec3 up = upValue ? upValue->direction() : glm::dvec3(0.0, 1.0, 0.0);
     const glm::dvec3 right = glm::cross(camera.forward, up);
-    if (glm::length(right) < kParallelSine) {
+    if (glm::length(right) < kParallelSine)
         object.value().child("up").fail("is parallel to the direction of view; choose another");
-    }
     camera.right = glm::normalize(right);
     camera.up = glm::cross(camera.right, camera.forward);
 }
@@ -149,11 +146,10 @@ void readView(const JsonObject& object, Camera& camera) {
 /// A thin lens; without a distance it is in focus at the target.
 void readLens(const JsonObject& object, Camera& camera) {
     camera.lensRadius = object.number("lens_radius", camera.lensRadius);
-    if (const auto distance = object.optional("focus_distance")) {
+    if (const auto distance = object.optional("focus_distance"))
         camera.focusDistance = distance->number();
-    } else if (const auto target = object.optional("target")) {
+    else if (const auto target = object.optional("target"))
         camera.focusDistance = glm::dot(camera.forward, target->vector() - camera.position);
-    }
 }
 
 } // namespace
@@ -163,11 +159,10 @@ JsonType cameraType() { return cameraObject().asType("camera"); }
 Camera readCamera(const JsonValue& value) {
     const JsonObject object(value, cameraObject());
     Camera camera;
-    if (const auto matrix = object.optional("matrix")) {
+    if (const auto matrix = object.optional("matrix"))
         placeByMatrix(camera, *matrix);
-    } else {
+    else
         placeByTarget(camera, object);
-    }
     readView(object, camera);
     readLens(object, camera);
     return camera;

@@ -31,15 +31,12 @@ glm::dvec3 readHexColor(const JsonValue& value) {
 } // namespace
 
 glm::dvec3 readColor(const JsonValue& value, const Range& channel) {
-    if (value.json().is_string()) {
+    if (value.json().is_string())
         return readHexColor(value);
-    }
-    if (value.json().is_number()) {
+    if (value.json().is_number())
         return glm::dvec3(value.numberIn(channel));
-    }
-    if (!value.json().is_array() || value.json().size() != 3) {
+    if (!value.json().is_array() || value.json().size() != 3)
         value.fail("must be a colour: [r, g, b], one number, or \"#rrggbb\"");
-    }
     const std::vector<JsonValue> rgb = value.array();
     return {rgb[0].numberIn(channel), rgb[1].numberIn(channel), rgb[2].numberIn(channel)};
 }

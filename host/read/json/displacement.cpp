@@ -42,12 +42,10 @@ Displacement readDisplacement(const JsonValue& value, const JsonContext& context
     displacement.texture = findTexture(object.required("texture"), context);
     displacement.scale = object.required("scale").number();
     displacement.mid = object.number("mid", displacement.mid);
-    if (const auto subdivide = object.optional("subdivide")) {
+    if (const auto subdivide = object.optional("subdivide"))
         displacement.subdivide = static_cast<uint32_t>(subdivide->number());
-    }
-    if (context.scene.textures[displacement.texture].isMissing) {
+    if (context.scene.textures[displacement.texture].isMissing)
         displacement.scale = 0.0;
-    }
     displacement.place = value.child("subdivide").where();
     return displacement;
 }

@@ -32,17 +32,15 @@ std::string lineAndColumn(std::string_view text, size_t offset) {
 /// nlohmann's sentence without its own prefix and with what it read last shortened.
 std::string syntaxMessage(std::string message) {
     const size_t prefixEnd = message.find("syntax error");
-    if (prefixEnd != std::string::npos) {
+    if (prefixEnd != std::string::npos)
         message.erase(0, prefixEnd);
-    }
     const std::string opening = "; last read: '";
     const size_t start = message.find(opening);
     if (start != std::string::npos) {
         const size_t textStart = start + opening.size();
         const size_t textEnd = message.rfind('\'', std::min(message.size(), message.rfind("'; ")));
-        if (textEnd != std::string::npos && textEnd > textStart + kLongestLastRead) {
+        if (textEnd != std::string::npos && textEnd > textStart + kLongestLastRead)
             message.replace(textStart, textEnd - textStart - kLongestLastRead, "...");
-        }
     }
     return message;
 }
@@ -143,9 +141,8 @@ private:
     }
 
     std::string pointerOfNext() const {
-        if (levels_.empty()) {
+        if (levels_.empty())
             return {};
-        }
         const Level& level = levels_.back();
         const std::string parent = pointer(levels_.size() - 1);
         return level.container->is_array() ? extendPointer(parent, level.container->size())
@@ -174,15 +171,13 @@ std::string jsonPlace(const std::string& name, const std::string& pointer) {
 
 std::string extendPointer(const std::string& pointer, std::string_view key) {
     std::string result = pointer + "/";
-    for (const char c : printable(key)) {
-        if (c == '~') {
+    for (const char c : printable(key))
+        if (c == '~')
             result += "~0";
-        } else if (c == '/') {
+        else if (c == '/')
             result += "~1";
-        } else {
+        else
             result += c;
-        }
-    }
     return result;
 }
 

@@ -54,15 +54,13 @@ double area(const Mesh& mesh) {
 
 /// From "radiance", or from "power" spread evenly over all sides and directions (Lambert's law).
 glm::dvec3 readEmission(const JsonObject& object, double shiningArea) {
-    if (const auto radiance = object.optional("radiance")) {
+    if (const auto radiance = object.optional("radiance"))
         return readColor(*radiance, ranges::kRadiance);
-    }
     const JsonValue power = object.required("power");
     const glm::dvec3 radiance =
         readColor(power, ranges::kRadiance) / (std::numbers::pi * shiningArea);
-    if (!std::isfinite(radiance.x + radiance.y + radiance.z)) {
+    if (!std::isfinite(radiance.x + radiance.y + radiance.z))
         power.fail("is too much for so small a light: its radiance is not finite");
-    }
     return radiance;
 }
 

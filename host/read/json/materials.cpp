@@ -29,9 +29,8 @@ std::vector<MaterialParameter> parametersOf(const MaterialKind& kind) {
 
 JsonObjectType objectTypeOf(const MaterialKind& kind) {
     std::vector<JsonKey> keys;
-    for (const MaterialParameter& parameter : parametersOf(kind)) {
+    for (const MaterialParameter& parameter : parametersOf(kind))
         keys.push_back(keyOf(parameter));
-    }
     keys.emplace_back("normal_map", textureNameType(),
                       "An image: a tangent-space normal map, +Y up as in OpenGL.");
     if (kind.isOpaque) {
@@ -53,9 +52,8 @@ JsonObjectType objectTypeOf(const MaterialKind& kind) {
 const JsonObjectTypes& materialTypes() {
     static const JsonObjectTypes types = [] {
         JsonObjectTypes made;
-        for (const MaterialKind& kind : materialKinds()) {
+        for (const MaterialKind& kind : materialKinds())
             made.push_back(objectTypeOf(kind));
-        }
         return made;
     }();
     return types;
@@ -63,9 +61,8 @@ const JsonObjectTypes& materialTypes() {
 
 /// The colour's texture where it is an image that is transparent somewhere.
 uint32_t alphaTextureOf(const Material& material, const Scene& scene) {
-    if (material.colorTexture == Material::kNoTexture) {
+    if (material.colorTexture == Material::kNoTexture)
         return Material::kNoTexture;
-    }
     const auto* image = std::get_if<ImageTexture>(&scene.textures[material.colorTexture].source);
     return image && image->image->isTransparent ? material.colorTexture : Material::kNoTexture;
 }
@@ -78,19 +75,15 @@ Material readMaterial(const JsonValue& value, const std::string& name, JsonConte
     material.name = name;
     material.place = value.where();
     material.type = static_cast<MaterialType>(index);
-    for (const MaterialParameter& parameter : parametersOf(kind)) {
+    for (const MaterialParameter& parameter : parametersOf(kind))
         readParameter(parameter, object, context, material);
-    }
-    if (const auto map = object.optional("normal_map")) {
+    if (const auto map = object.optional("normal_map"))
         material.normalMap = findImage(*map, context);
-    }
-    if (kind.isOpaque && object.boolean("alpha", true)) {
+    if (kind.isOpaque && object.boolean("alpha", true))
         material.alphaTexture = alphaTextureOf(material, context.scene);
-    }
     std::optional<Displacement>& displacement = context.displacements.emplace_back();
-    if (const auto own = object.optional("displacement")) {
+    if (const auto own = object.optional("displacement"))
         displacement = readDisplacement(*own, context);
-    }
     return material;
 }
 
@@ -99,9 +92,8 @@ Material readMaterial(const JsonValue& value, const std::string& name, JsonConte
 JsonType materialsType() { return mapType(anyOf(materialTypes(), "material")); }
 
 void readMaterials(const JsonValue& value, JsonContext& context) {
-    if (!value.json().is_object()) {
+    if (!value.json().is_object())
         value.fail("must be an object of materials by name");
-    }
     for (const auto& [name, unused] : value.json().items()) {
         context.addMaterial(readMaterial(value.child(name), name, context));
         context.materialNames.push_back(name);

@@ -20,9 +20,8 @@ const std::array<std::string, 3> kNormalModes = {"auto", "smooth", "flat"};
 /// By material: the mesh's own for all, or else the materials' own.
 std::vector<std::optional<Displacement>> readDisplacements(const JsonObject& mesh,
                                                            const JsonContext& context) {
-    if (const auto own = mesh.optional("displacement")) {
+    if (const auto own = mesh.optional("displacement"))
         return {context.scene.materials.size(), readDisplacement(*own, context)};
-    }
     return context.displacements;
 }
 

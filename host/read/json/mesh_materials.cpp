@@ -21,9 +21,8 @@ std::string listOf(const ObjFile& obj) {
 
 std::vector<uint32_t> resolveByName(const JsonValue& map, const ObjFile& obj,
                                     const std::string& objPath, const JsonContext& context) {
-    if (!map.json().is_object()) {
+    if (!map.json().is_object())
         map.fail("must be an object from the OBJ's material names to materials of the scene");
-    }
     const auto& names = obj.materialNames;
     for (const auto& [key, unused] : map.json().items()) {
         if (key != kEveryOther && std::find(names.begin(), names.end(), key) == names.end()) {
@@ -32,9 +31,8 @@ std::vector<uint32_t> resolveByName(const JsonValue& map, const ObjFile& obj,
         }
     }
     std::optional<uint32_t> everyOther;
-    if (map.json().contains(kEveryOther)) {
+    if (map.json().contains(kEveryOther))
         everyOther = findMaterial(map.child(kEveryOther), context);
-    }
     std::vector<uint32_t> result;
     for (const std::string& name : names) {
         if (map.json().contains(name)) {
@@ -60,12 +58,10 @@ std::vector<uint32_t> resolveByName(const JsonValue& map, const ObjFile& obj,
 
 std::vector<uint32_t> resolveMeshMaterials(const JsonObject& mesh, const ObjFile& obj,
                                            const std::string& objPath, JsonContext& context) {
-    if (const auto material = mesh.optional("material")) {
+    if (const auto material = mesh.optional("material"))
         return {findMaterial(*material, context)};
-    }
-    if (const auto materials = mesh.optional("materials")) {
+    if (const auto materials = mesh.optional("materials"))
         return resolveByName(*materials, obj, objPath, context);
-    }
     return materialsFromMtl(obj, objPath, UndefinedMaterials::Fail, context.objs, context);
 }
 

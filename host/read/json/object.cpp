@@ -14,19 +14,16 @@ namespace {
 /// Of the keys that the schema has.
 std::vector<std::string> namesOf(const std::vector<JsonKey>& keys) {
     std::vector<std::string> names;
-    for (const JsonKey& key : keys) {
-        if (key.type.schema) {
+    for (const JsonKey& key : keys)
+        if (key.type.schema)
             names.push_back(key.name);
-        }
-    }
     return names;
 }
 
 SchemaJson schemaOf(const JsonKey& key, SchemaJson& definitions) {
     SchemaJson schema = key.type.schema(definitions);
-    if (!key.otherwise.empty()) {
+    if (!key.otherwise.empty())
         schema["default"] = SchemaJson::parse(key.otherwise);
-    }
     if (!key.description.empty()) {
         schema["description"] =
             key.description + (key.unit.empty() ? "" : " Unit: " + key.unit + ".");
@@ -73,9 +70,8 @@ JsonRule exclude(const std::string& a, const std::string& b) {
 JsonRule exactlyOne(const std::string& a, const std::string& b) {
     const auto check = [=](const JsonObject& object) {
         object.exclude(a, b);
-        if (!object.has(a) && !object.has(b)) {
+        if (!object.has(a) && !object.has(b))
             object.value().fail("lacks " + inQuotes(a) + " (or " + inQuotes(b) + ")");
-        }
     };
     return {check,
             R"({"oneOf": [{"required": [")" + a + R"("]}, {"required": [")" + b + R"("]}]})"};
@@ -91,26 +87,21 @@ SchemaJson JsonObjectType::schema(SchemaJson& definitions) const {
     SchemaJson properties = SchemaJson::object();
     SchemaJson required = SchemaJson::array();
     for (const JsonKey& key : keys) {
-        if (key.type.schema) {
+        if (key.type.schema)
             properties[key.name] = schemaOf(key, definitions);
-        }
-        if (key.isRequired) {
+        if (key.isRequired)
             required.push_back(key.name);
-        }
     }
     SchemaJson schema = SchemaJson::object();
-    if (!description.empty()) {
+    if (!description.empty())
         schema["description"] = description;
-    }
     schema["type"] = "object";
     schema["additionalProperties"] = false;
-    if (!required.empty()) {
+    if (!required.empty())
         schema["required"] = std::move(required);
-    }
     schema["properties"] = std::move(properties);
-    for (const JsonRule& rule : rules) {
+    for (const JsonRule& rule : rules)
         schema["allOf"].push_back(SchemaJson::parse(rule.schema));
-    }
     return schema;
 }
 
@@ -123,57 +114,47 @@ JsonObjectType chosenType(const std::string& name, const std::string& descriptio
 JsonType anyOf(const JsonObjectTypes& types, const std::string& definition) {
     return namedType(definition, {{}, [=](SchemaJson& definitions) {
                                       SchemaJson schemas = SchemaJson::array();
-                                      for (const JsonObjectType& type : types) {
+                                      for (const JsonObjectType& type : types)
                                           schemas.push_back(type.schema(definitions));
-                                      }
                                       return SchemaJson{{"oneOf", schemas}};
                                   }});
 }
 
 size_t readType(const JsonValue& value, const JsonObjectTypes& types) {
-    if (!value.json().is_object()) {
+    if (!value.json().is_object())
         value.failType("an object");
-    }
     if (!value.json().contains("type")) {
         std::vector<std::string> present;
-        for (const auto& [name, unused] : value.json().items()) {
+        for (const auto& [name, unused] : value.json().items())
             present.push_back(name);
-        }
         const std::string nearest = nearestName("type", present);
         value.fail("lacks \"type\"" +
                    (nearest.empty() ? "" : "; is " + inQuotes(nearest) + " a misspelling of it?"));
     }
     std::vector<std::string> names;
-    for (const JsonObjectType& type : types) {
+    for (const JsonObjectType& type : types)
         names.push_back(type.name);
-    }
     return value.child("type").choice(names);
 }
 
 JsonObject::JsonObject(const JsonValue& value, const JsonObjectType& type)
     : value_(value), type_(&type) {
-    if (!value_.json().is_object()) {
+    if (!value_.json().is_object())
         value_.failType("an object");
-    }
     for (const auto& [key, unused] : value_.json().items()) {
         if (std::ranges::find(type.keys, key, &JsonKey::name) == type.keys.end()) {
             value_.child(key).fail("unknown key " + inQuotes(key) +
                                    suggestion(key, namesOf(type.keys)));
         }
     }
-    for (const JsonKey& key : type.keys) {
-        if (key.isRequired) {
+    for (const JsonKey& key : type.keys)
+        if (key.isRequired)
             required(key.name);
-        }
-    }
-    for (const JsonRule& rule : type.rules) {
+    for (const JsonRule& rule : type.rules)
         rule.check(*this);
-    }
-    for (const JsonKey& key : type.keys) {
-        if (key.type.check && has(key.name)) {
+    for (const JsonKey& key : type.keys)
+        if (key.type.check && has(key.name))
             key.type.check(value_.child(key.name));
-        }
-    }
 }
 
 void JsonObject::checkKnown(const std::string& key) const {
@@ -186,9 +167,8 @@ bool JsonObject::has(const std::string& key) const {
 }
 
 JsonValue JsonObject::required(const std::string& key) const {
-    if (!has(key)) {
+    if (!has(key))
         value_.fail("lacks " + inQuotes(key));
-    }
     return value_.child(key);
 }
 

@@ -54,9 +54,8 @@ std::optional<size_t> parseIndex(const std::string& token) {
 
 void applyOverride(json& document, const SceneOverride& override) {
     const std::string where = "--set " + override.pointer;
-    if (!isUtf8(override.pointer) || !isUtf8(override.value)) {
+    if (!isUtf8(override.pointer) || !isUtf8(override.value))
         throw SceneError(where, "pointer and value must be UTF-8");
-    }
     json::json_pointer pointer;
     try {
         pointer = json::json_pointer(override.pointer);
@@ -64,9 +63,8 @@ void applyOverride(json& document, const SceneOverride& override) {
         throw SceneError(where, "is not a JSON pointer; write it like /materials/gold/roughness, "
                                 "with ~0 for ~ and ~1 for / within a name");
     }
-    if (pointer.empty()) {
+    if (pointer.empty())
         throw SceneError(where, "cannot replace the whole scene; name a part, such as /render/spp");
-    }
     const json::json_pointer parentPointer = pointer.parent_pointer();
     if (!containsPart(document, parentPointer)) {
         throw SceneError(where, "the scene has no " + parentPointer.to_string() +

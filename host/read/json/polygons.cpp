@@ -17,9 +17,8 @@ constexpr double kPlaneTolerance = 1e-4;
 
 std::vector<glm::dvec3> readVertices(const JsonObject& object, size_t count) {
     std::vector<glm::dvec3> vertices;
-    for (const JsonValue& vertex : object.required("vertices").array(count)) {
+    for (const JsonValue& vertex : object.required("vertices").array(count))
         vertices.push_back(vertex.vector());
-    }
     return vertices;
 }
 
@@ -32,21 +31,18 @@ void checkPlanar(const std::vector<glm::dvec3>& v, const JsonValue& place) {
     const glm::dvec3 normal = glm::cross(diagonal02 / size, diagonal13 / size);
     const double distance =
         0.5 * std::abs(glm::dot((v[1] - v[0]) / size, normal)) / glm::length(normal);
-    if (distance > kPlaneTolerance) {
+    if (distance > kPlaneTolerance)
         place.fail("the corners of the quad do not lie in one plane; use two triangles");
-    }
 }
 
 /// One for each vertex, or `otherwise` without "uvs". A light has none.
 std::vector<glm::dvec2> readUvs(const JsonObject& object, PolygonUse use,
                                 const std::vector<glm::dvec2>& otherwise) {
-    if (use == PolygonUse::Light) {
+    if (use == PolygonUse::Light)
         return {};
-    }
     const auto value = object.optional("uvs");
-    if (!value) {
+    if (!value)
         return otherwise;
-    }
     std::vector<glm::dvec2> uvs;
     for (const JsonValue& uv : value->array(otherwise.size())) {
         const std::vector<JsonValue> coordinates = uv.array(2);
@@ -72,9 +68,8 @@ Mesh makeMesh(const JsonObject& object, const std::vector<glm::dvec3>& vertices,
 Mesh::Triangle flatTriangle(uint32_t a, uint32_t b, uint32_t c, uint32_t material, bool hasUvs) {
     Mesh::Triangle triangle{
         {a, b, c}, {Mesh::kNoNormal, Mesh::kNoNormal, Mesh::kNoNormal}, material};
-    if (hasUvs) {
+    if (hasUvs)
         std::ranges::copy(triangle.position, triangle.uv);
-    }
     return triangle;
 }
 

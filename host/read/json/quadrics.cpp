@@ -23,9 +23,8 @@ Placement place(const JsonObject& object, const std::string& originKey, const gl
         {outer.rigid.rotation * rotationTakingYTo(axis), outer.rigid.point(outer.scale * origin)},
         outer.scale};
     const glm::dvec3& t = placement.worldFromObject.translation;
-    if (!std::isfinite(t.x + t.y + t.z)) {
+    if (!std::isfinite(t.x + t.y + t.z))
         object.value().fail("the shape lies beyond the range of finite numbers");
-    }
     return placement;
 }
 

@@ -50,31 +50,23 @@ const JsonObjectType& sceneObject() {
 void readScene(const JsonObject& root, JsonContext& context) {
     Scene& scene = context.scene;
     scene.camera = readCamera(root.required("camera"));
-    if (const auto film = root.optional("film")) {
+    if (const auto film = root.optional("film"))
         scene.film = readFilm(*film);
-    }
-    if (const auto render = root.optional("render")) {
+    if (const auto render = root.optional("render"))
         scene.render = readRender(*render);
-    }
-    if (const auto background = root.optional("background")) {
+    if (const auto background = root.optional("background"))
         scene.background = readColor(*background, ranges::kRadiance);
-    }
-    if (const auto textures = root.optional("textures")) {
+    if (const auto textures = root.optional("textures"))
         readTextures(*textures, context);
-    }
-    if (const auto materials = root.optional("materials")) {
+    if (const auto materials = root.optional("materials"))
         readMaterials(*materials, context);
-    }
-    if (const auto shapes = root.optional("shapes")) {
-        for (const JsonValue& shape : shapes->array()) {
+    if (const auto shapes = root.optional("shapes"))
+        for (const JsonValue& shape : shapes->array())
             scene.shapes.push_back(readShape(shape, context));
-        }
-    }
     if (const auto lights = root.optional("lights")) {
         size_t index = 0;
-        for (const JsonValue& light : lights->array()) {
+        for (const JsonValue& light : lights->array())
             scene.shapes.push_back(readLight(light, index++, context));
-        }
     }
 }
 
@@ -82,14 +74,12 @@ void readScene(const JsonObject& root, JsonContext& context) {
 
 SceneAndNotes readJsonScene(const std::string& path, const LoadOptions& options) {
     nlohmann::json document = parseJson(readFile(path, path), path);
-    for (const SceneOverride& override : options.overrides) {
+    for (const SceneOverride& override : options.overrides)
         applyOverride(document, override);
-    }
     JsonContext context(options, path);
     nlohmann::json hashed = document;
-    if (hashed.is_object()) {
+    if (hashed.is_object())
         hashed.erase("render"); // its settings are compared one by one where scenes are compared
-    }
     context.hash.add(hashed.dump());
     readScene(JsonObject(JsonValue(document, path), sceneObject()), context);
     return std::move(context).finish();

@@ -12,9 +12,8 @@ constexpr size_t kIndent = 2;
 
 /// On one line, with blanks after colons and commas.
 std::string oneLine(const SchemaJson& json) {
-    if (!json.is_structured() || json.empty()) {
+    if (!json.is_structured() || json.empty())
         return json.dump();
-    }
     std::string text;
     for (const auto& [key, value] : json.items()) {
         text += (text.empty() ? "" : ", ") +

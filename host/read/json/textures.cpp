@@ -80,9 +80,8 @@ Texture readTexture(const JsonValue& value, const std::string& name, JsonContext
     if (type == kImage) {
         ImageTexture image = readImage(object, context);
         texture.isMissing = !image.image;
-        if (texture.isMissing) {
+        if (texture.isMissing)
             image.image = magentaImage();
-        }
         texture.source = std::move(image);
     } else {
         texture.source = readChecker(object);
@@ -95,9 +94,8 @@ Texture readTexture(const JsonValue& value, const std::string& name, JsonContext
 JsonType texturesType() { return mapType(anyOf(textureTypes(), "texture")); }
 
 void readTextures(const JsonValue& value, JsonContext& context) {
-    if (!value.json().is_object()) {
+    if (!value.json().is_object())
         value.fail("must be an object of textures by name");
-    }
     for (const auto& [name, unused] : value.json().items()) {
         context.addTexture(readTexture(value.child(name), name, context));
         context.textureNames.push_back(name);

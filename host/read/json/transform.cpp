@@ -50,31 +50,25 @@ AffineTransform readMatrix(const JsonValue& value) {
     const std::vector<JsonValue> entries = value.array(16);
     AffineTransform transform;
     for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 3; ++column) {
+        for (int column = 0; column < 3; ++column)
             transform.linear[column][row] = entries[4 * row + column].number();
-        }
         transform.translation[row] = entries[4 * row + 3].number();
     }
-    for (int column = 0; column < 4; ++column) {
-        if (entries[12 + column].number() != (column == 3 ? 1.0 : 0.0)) {
+    for (int column = 0; column < 4; ++column)
+        if (entries[12 + column].number() != (column == 3 ? 1.0 : 0.0))
             value.fail("the last row must be 0 0 0 1 (the matrix is row-major and affine)");
-        }
-    }
-    if (isSingular(transform.linear)) {
+    if (isSingular(transform.linear))
         value.fail("the matrix flattens space (it cannot be inverted)");
-    }
     return transform;
 }
 
 AffineTransform readTransform(const JsonObject& shape) {
     const auto value = shape.optional("transform");
-    if (!value) {
+    if (!value)
         return {};
-    }
     const JsonObject object(*value, transformType());
-    if (const auto matrix = object.optional("matrix")) {
+    if (const auto matrix = object.optional("matrix"))
         return readMatrix(*matrix);
-    }
     const AffineTransform transform = readParts(object);
     if (isSingular(transform.linear)) {
         value->child("scale").fail("flattens the shape: it must not be 0, nor 1e100 times "

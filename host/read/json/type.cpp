@@ -20,12 +20,10 @@ SchemaJson numberJson(double number) {
 
 SchemaJson numberSchema(const Range& range) {
     SchemaJson schema = {{"type", "number"}};
-    if (std::isfinite(range.low)) {
+    if (std::isfinite(range.low))
         schema[range.isLowOpen ? "exclusiveMinimum" : "minimum"] = numberJson(range.low);
-    }
-    if (std::isfinite(range.high)) {
+    if (std::isfinite(range.high))
         schema[range.isHighOpen ? "exclusiveMaximum" : "maximum"] = numberJson(range.high);
-    }
     return schema;
 }
 
@@ -74,9 +72,8 @@ JsonType numberType(const Range& range) {
 
 JsonType nonZeroNumberType() {
     const auto check = [](const JsonValue& value) {
-        if (value.number() == 0.0) {
+        if (value.number() == 0.0)
             value.fail("must not be 0");
-        }
     };
     return fixedType(check, {{"type", "number"}, {"not", {{"const", 0}}}});
 }
@@ -123,9 +120,8 @@ JsonType matrixType() {
                                : SchemaJson{{"const", i + 1 == kCount ? 1 : 0}});
     }
     const auto check = [](const JsonValue& value) {
-        for (const JsonValue& entry : value.array(kCount)) {
+        for (const JsonValue& entry : value.array(kCount))
             entry.number();
-        }
     };
     return namedType("matrix", fixedType(check, described(arraySchema(items, kCount),
                                                           "16 numbers, row-major; the last row is "
@@ -142,11 +138,9 @@ JsonType scaleType() {
 
 JsonType arrayType(const JsonType& element, size_t count) {
     const auto check = [=](const JsonValue& value) {
-        for (const JsonValue& item : value.array(count)) {
-            if (element.check) {
+        for (const JsonValue& item : value.array(count))
+            if (element.check)
                 element.check(item);
-            }
-        }
     };
     return {check, [=](SchemaJson& definitions) {
                 return arraySchema(element.schema(definitions), count);
@@ -181,9 +175,8 @@ JsonType radianceType() {
 
 JsonType textureNameType() {
     const auto check = [](const JsonValue& value) {
-        if (!canBeTextureName(value.text())) {
+        if (!canBeTextureName(value.text()))
             value.fail("must be the name of a texture, not " + inQuotes(value.text()));
-        }
     };
     return namedType("textureName",
                      fixedType(check, described({{"type", "string"}, {"pattern", "^[^#]"}},
@@ -198,9 +191,8 @@ JsonType materialNameType() {
 
 JsonType reflectanceOrTextureType() {
     const auto check = [](const JsonValue& value) {
-        if (!value.json().is_string() || !canBeTextureName(value.text())) {
+        if (!value.json().is_string() || !canBeTextureName(value.text()))
             readColor(value, ranges::kShare);
-        }
     };
     return namedType("reflectanceOrTexture",
                      orTextureType(reflectanceType(),
@@ -211,13 +203,12 @@ JsonType reflectanceOrTextureType() {
 
 JsonType numberOrTextureType(const Range& range) {
     const auto check = [=](const JsonValue& value) {
-        if (value.json().is_string()) {
+        if (value.json().is_string())
             textureNameType().check(value);
-        } else if (value.json().is_number()) {
+        else if (value.json().is_number())
             value.numberIn(range);
-        } else {
+        else
             value.fail("must be a number " + toText(range) + " or the name of a texture");
-        }
     };
     return orTextureType(numberType(range), "A number, or a texture whose first channel is read.",
                          check);

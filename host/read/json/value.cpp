@@ -43,31 +43,27 @@ JsonValue JsonValue::child(const std::string& key) const {
 }
 
 double JsonValue::number() const {
-    if (!json_->is_number()) {
+    if (!json_->is_number())
         failType("a number");
-    }
     return json_->get<double>();
 }
 
 double JsonValue::numberIn(const Range& range) const {
     const double value = number();
-    if (!range.contains(value)) {
+    if (!range.contains(value))
         failType(toText(range));
-    }
     return value;
 }
 
 bool JsonValue::boolean() const {
-    if (!json_->is_boolean()) {
+    if (!json_->is_boolean())
         failType("true or false");
-    }
     return json_->get<bool>();
 }
 
 const std::string& JsonValue::text() const {
-    if (!json_->is_string()) {
+    if (!json_->is_string())
         failType("a text in quotes");
-    }
     return json_->get_ref<const std::string&>();
 }
 
@@ -91,28 +87,24 @@ size_t JsonValue::choice(std::span<const std::string> choices) const {
 }
 
 std::vector<JsonValue> JsonValue::array() const {
-    if (!json_->is_array()) {
+    if (!json_->is_array())
         failType("an array");
-    }
     std::vector<JsonValue> elements;
     elements.reserve(json_->size());
-    for (size_t i = 0; i < json_->size(); ++i) {
+    for (size_t i = 0; i < json_->size(); ++i)
         elements.emplace_back((*json_)[i], *file_, extendPointer(pointer_, i));
-    }
     return elements;
 }
 
 std::vector<JsonValue> JsonValue::array(size_t count) const {
-    if (!json_->is_array() || json_->size() != count) {
+    if (!json_->is_array() || json_->size() != count)
         failType("an array of " + std::to_string(count));
-    }
     return array();
 }
 
 glm::dvec3 JsonValue::vector() const {
-    if (!json_->is_array() || json_->size() != 3) {
+    if (!json_->is_array() || json_->size() != 3)
         failType("an array of 3 numbers");
-    }
     const std::vector<JsonValue> elements = array();
     return {elements[0].number(), elements[1].number(), elements[2].number()};
 }
@@ -120,9 +112,8 @@ glm::dvec3 JsonValue::vector() const {
 glm::dvec3 JsonValue::direction() const {
     const glm::dvec3 v = vector();
     const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-    if (largest == 0.0) {
+    if (largest == 0.0)
         fail("is a direction and must not be zero");
-    }
     // Divided first, so that no length overflows or underflows.
     return glm::normalize(v / largest);
 }

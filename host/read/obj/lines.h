@@ -25,23 +25,19 @@ void forEachObjLine(std::string_view text, Visit&& visit) {
     size_t start = 0;
     size_t newline = 0; // the first LF from `start` on
     while (start < text.size()) {
-        if (newline <= start) {
+        if (newline <= start)
             newline = std::min(text.find('\n', start), text.size());
-        }
         std::string_view line = text.substr(start, newline - start);
         const size_t carriageReturn = line.find('\r');
-        if (carriageReturn != std::string_view::npos) {
+        if (carriageReturn != std::string_view::npos)
             line = line.substr(0, carriageReturn);
-        }
         const bool crThenLf = start + line.size() + 1 == newline;
         start += line.size() + (carriageReturn != std::string_view::npos && crThenLf ? 2 : 1);
         ++number;
-        while (!line.empty() && isBlank(line.front())) {
+        while (!line.empty() && isBlank(line.front()))
             line.remove_prefix(1);
-        }
-        if (!continues) {
+        if (!continues)
             firstNumber = number;
-        }
         const bool comment = !continues && !line.empty() && line.front() == '#';
         if (!comment && !line.empty() && line.back() == '\\') {
             line.remove_suffix(1);
@@ -58,9 +54,8 @@ void forEachObjLine(std::string_view text, Visit&& visit) {
             visit(number, line);
         }
     }
-    if (continues) {
+    if (continues)
         visit(firstNumber, std::string_view(joined));
-    }
 }
 
 } // namespace calotype

@@ -71,9 +71,8 @@ struct ModelExtent {
 
 ModelExtent extentOf(const Mesh& mesh, const std::string& path) {
     Bounds3d bounds;
-    for (const glm::dvec3& position : mesh.positions) {
+    for (const glm::dvec3& position : mesh.positions)
         bounds.extend(position);
-    }
     const ModelExtent extent = {0.5 * bounds.lower + 0.5 * bounds.upper,
                                 0.5 * glm::length(bounds.extent()), bounds.lower.y};
     if (!(extent.radius >= kSmallestRadius && extent.radius <= kLargestRadius)) {
@@ -157,9 +156,8 @@ SceneAndNotes readModelScene(const std::string& path, const LoadOptions& options
     const ModelExtent extent = extentOf(mesh, path);
     scene.camera = placeCamera(mesh, extent);
     addFloor(extent, scene.camera, context);
-    for (const LightPlan& plan : kLights) {
+    for (const LightPlan& plan : kLights)
         addLight(plan, extent, context);
-    }
     return std::move(context).finish();
 }
 

@@ -25,17 +25,13 @@ bool isAmong(std::string_view word, std::span<const std::string_view> words) {
 }
 
 bool hasEffect(std::string_view keyword, TextCursor arguments) {
-    if (isAmong(keyword, kWithoutEffect)) {
+    if (isAmong(keyword, kWithoutEffect))
         return false;
-    }
-    if (!isAmong(keyword, kNeutralAtZero)) {
+    if (!isAmong(keyword, kNeutralAtZero))
         return true;
-    }
-    while (!arguments.atEnd()) {
-        if (parseNumber(arguments.word()) != 0.0) {
+    while (!arguments.atEnd())
+        if (parseNumber(arguments.word()) != 0.0)
             return true;
-        }
-    }
     return false;
 }
 
@@ -51,9 +47,8 @@ glm::dvec3 parseColor(TextCursor& cursor, const std::string& where) {
         }
         numbers.push_back(*value);
     }
-    if (numbers.size() == 1) {
+    if (numbers.size() == 1)
         return glm::dvec3(numbers[0]);
-    }
     if (numbers.size() != 3) {
         throw SceneError(where, "a colour needs one number or three, not " +
                                     std::to_string(numbers.size()));
@@ -64,9 +59,8 @@ glm::dvec3 parseColor(TextCursor& cursor, const std::string& where) {
 /// The first number; what follows it is no matter.
 double parseFinite(TextCursor& cursor, std::string_view keyword, const std::string& where) {
     std::string_view word = cursor.word();
-    if (word == "-halo") { // "d -halo": fades towards the outline, which is rendered as plain "d"
+    if (word == "-halo") // "d -halo": fades towards the outline, which is rendered as plain "d"
         word = cursor.word();
-    }
     const std::optional<double> value = parseNumber(word);
     if (!value || !std::isfinite(*value)) {
         throw SceneError(where,
@@ -120,15 +114,14 @@ const Statement* findStatement(const Statement (&statements)[Count], std::string
 void readStatement(MtlMaterial& material, TextCursor& cursor, const std::string& where) {
     const std::string_view written = cursor.word();
     const std::string keyword = lowercase(written);
-    if (const auto* color = findStatement(kColors, keyword)) {
+    if (const auto* color = findStatement(kColors, keyword))
         color->set(material, parseColor(cursor, where));
-    } else if (const auto* number = findStatement(kNumbers, keyword)) {
+    else if (const auto* number = findStatement(kNumbers, keyword))
         number->set(material, parseFinite(cursor, written, where));
-    } else if (const auto* map = findStatement(kTextures, keyword)) {
+    else if (const auto* map = findStatement(kTextures, keyword))
         material.*(map->texture) = parseMtlTexture(cursor.rest(), where);
-    } else if (hasEffect(keyword, cursor)) {
+    else if (hasEffect(keyword, cursor))
         material.unsupported.insert(std::string(written));
-    }
 }
 
 } // namespace
@@ -137,9 +130,8 @@ std::map<std::string, MtlMaterial> parseMtl(std::string_view text, const std::st
     std::map<std::string, MtlMaterial> materials;
     MtlMaterial* current = nullptr;
     forEachObjLine(withoutByteOrderMark(text), [&](size_t number, std::string_view line) {
-        if (line.empty() || line.front() == '#') {
+        if (line.empty() || line.front() == '#')
             return;
-        }
         TextCursor cursor(line);
         if (TextCursor name = cursor; lowercase(name.word()) == "newmtl") {
             current = &materials[std::string(trimmed(name.rest()))];

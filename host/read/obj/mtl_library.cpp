@@ -14,15 +14,13 @@ namespace {
 /// The names in a "mtllib" statement: blanks separate, a backslash keeps the next character.
 std::vector<std::string> splitNames(const std::string& text) {
     std::vector<std::string> names(1);
-    for (size_t i = 0; i < text.size(); ++i) {
-        if (text[i] == '\\' && i + 1 < text.size()) {
+    for (size_t i = 0; i < text.size(); ++i)
+        if (text[i] == '\\' && i + 1 < text.size())
             names.back() += text[++i];
-        } else if (text[i] == ' ' || text[i] == '\t') {
+        else if (text[i] == ' ' || text[i] == '\t')
             names.emplace_back();
-        } else {
+        else
             names.back() += text[i];
-        }
-    }
     std::erase(names, std::string());
     return names;
 }
@@ -37,13 +35,11 @@ public:
                 read(*path, context);
                 continue;
             }
-            for (const std::string& name : splitNames(library)) {
-                if (const auto path = findFile(directory, name)) {
+            for (const std::string& name : splitNames(library))
+                if (const auto path = findFile(directory, name))
                     read(*path, context);
-                } else {
+                else
                     missing_.push_back(name);
-                }
-            }
         }
     }
 
@@ -55,9 +51,8 @@ public:
 
     [[noreturn]] void failUndefined(const std::string& name, const std::string& where) const {
         std::vector<std::string> known;
-        for (const auto& [knownName, unused] : materials_) {
+        for (const auto& [knownName, unused] : materials_)
             known.push_back(knownName);
-        }
         throw SceneError(where, "the material " + inQuotes(name) + " is not defined" +
                                     (missing_.empty() ? suggestion(name, known)
                                                       : "; cannot read " + listInQuotes(missing_)) +
@@ -66,9 +61,8 @@ public:
     }
 
     void warnOfMissing(const std::string& where, ReadContext& context) const {
-        if (!missing_.empty()) {
+        if (!missing_.empty())
             context.warn(where, "cannot read " + listInQuotes(missing_));
-        }
     }
 
 private:
@@ -91,9 +85,8 @@ struct Ignored {
         statements.insert(mtl.unsupported.begin(), mtl.unsupported.end());
         for (const auto* map : {&mtl.diffuseMap, &mtl.alphaMap, &mtl.bumpMap, &mtl.normalMap,
                                 &mtl.roughnessMap, &mtl.emissionMap}) {
-            if (*map) {
+            if (*map)
                 options.insert((*map)->ignored.begin(), (*map)->ignored.end());
-            }
         }
     }
 
@@ -117,9 +110,8 @@ std::vector<uint32_t> materialsFromMtl(const ObjFile& obj, const std::string& ob
                                        UndefinedMaterials undefined, ObjCache& cache,
                                        ReadContext& context) {
     std::vector<uint32_t>& result = cache.mtlMaterials[objPath];
-    if (!result.empty()) {
+    if (!result.empty())
         return result;
-    }
     const std::filesystem::path path(objPath);
     const std::string prefix = path.filename().string() + ":";
     Material plain;
@@ -148,9 +140,8 @@ std::vector<uint32_t> materialsFromMtl(const ObjFile& obj, const std::string& ob
             material.place = objPath;
             result.push_back(context.addMaterial(material));
         }
-        if (undefined == UndefinedMaterials::Grey) {
+        if (undefined == UndefinedMaterials::Grey)
             library.warnOfMissing(objPath, context);
-        }
     }
     result.push_back(obj.hasFacesWithoutMaterial ? context.addMaterial(plain) : 0);
     notes.warn(objPath, context);

@@ -37,11 +37,9 @@ uint32_t MtlMaps::add(const MtlTexture& map, std::shared_ptr<const TexelImage> i
     source.decodesColor = !map.isLinear;
     texture.source = source;
     const std::vector<Texture>& textures = context_.scene.textures;
-    for (size_t i = 0; i < textures.size(); ++i) {
-        if (areEqual(textures[i], texture)) {
+    for (size_t i = 0; i < textures.size(); ++i)
+        if (areEqual(textures[i], texture))
             return static_cast<uint32_t>(i);
-        }
-    }
     return context_.addTexture(std::move(texture));
 }
 
@@ -49,15 +47,13 @@ template <typename Convert>
 uint32_t MtlMaps::converted(const MtlTexture& map, const std::filesystem::path& directory,
                             const std::string& recipe, Convert convert) {
     const TextureFile file = readTextureFile(map.file, directory, map.place, context_);
-    if (!file.image) {
+    if (!file.image)
         return Material::kNoTexture;
-    }
     // No path holds a zero.
     std::shared_ptr<const TexelImage>& cached =
         context_.images[file.path + std::string(1, '\0') + recipe];
-    if (!cached) {
+    if (!cached)
         cached = std::make_shared<TexelImage>(convert(*file.image));
-    }
     return add(map, cached);
 }
 
@@ -85,9 +81,8 @@ uint32_t MtlMaps::normals(const MtlTexture& map, const std::filesystem::path& di
         "normals" + std::to_string(static_cast<int>(map.channel.value_or(TexelChannel::Red))) +
         ":" + std::to_string(std::bit_cast<uint64_t>(map.bumpMultiplier));
     const TextureFile file = readTextureFile(map.file, directory, map.place, context_);
-    if (file.image && map.bumpMultiplier == 1.0 && !isGrey(*file.image)) {
+    if (file.image && map.bumpMultiplier == 1.0 && !isGrey(*file.image))
         return add(map, file.image);
-    }
     return converted(map, directory, recipe,
                      [&](const TexelImage& image) { return normalMapOf(image, map); });
 }
@@ -95,9 +90,8 @@ uint32_t MtlMaps::normals(const MtlTexture& map, const std::filesystem::path& di
 std::optional<glm::dvec3> MtlMaps::meanColor(const MtlTexture& map,
                                              const std::filesystem::path& directory) {
     const TextureFile file = readTextureFile(map.file, directory, map.place, context_);
-    if (!file.image) {
+    if (!file.image)
         return std::nullopt;
-    }
     return calotype::meanColor(*file.image, !map.isLinear);
 }
 

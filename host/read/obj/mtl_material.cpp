@@ -30,14 +30,12 @@ public:
         readColor();
         readCutOut();
         chooseType();
-        if (const auto& map = mtl_.normalMap ? mtl_.normalMap : mtl_.bumpMap) {
+        if (const auto& map = mtl_.normalMap ? mtl_.normalMap : mtl_.bumpMap)
             material_.normalMap = maps_.normals(*map, mtl_.directory);
-        }
-        if (material_.type == MaterialType::Dielectric) {
+        if (material_.type == MaterialType::Dielectric)
             leaveOutColorTexture();
-        } else {
+        else
             material_.opacity = opacity();
-        }
         return material_;
     }
 
@@ -52,36 +50,32 @@ private:
     void note(const std::string& remark) { notes_.add(remark, name_); }
 
     double clamped(const char* statement, double value, const Range& range) {
-        if (value < range.low) {
+        if (value < range.low)
             note(std::string(statement) + " was raised to its least value");
-        } else if (value > range.high) {
+        else if (value > range.high)
             note(std::string(statement) + " was lowered to its greatest value");
-        }
         return std::clamp(value, range.low, range.high);
     }
 
     glm::dvec3 atMostOne(const char* statement, const glm::dvec3& color) {
-        if (largest(color) > 1.0) {
+        if (largest(color) > 1.0)
             note(std::string(statement) + " above 1 was lowered to 1");
-        }
         return glm::min(color, glm::dvec3(1.0));
     }
 
     /// Only one radiance can be emitted: the map counts by its mean.
     glm::dvec3 emission() {
         const auto stated = mtl_.emission.value_or(glm::dvec3(mtl_.emissionMap ? 1.0 : 0.0));
-        if (!mtl_.emissionMap || stated == glm::dvec3(0.0)) {
+        if (!mtl_.emissionMap || stated == glm::dvec3(0.0))
             return stated;
-        }
         note("map_Ke shines with its mean colour, since emission cannot be textured yet,");
         const auto mean = maps_.meanColor(*mtl_.emissionMap, mtl_.directory);
         return mean ? stated * *mean : mtl_.emission.value_or(glm::dvec3(0.0));
     }
 
     void readColor() {
-        if (mtl_.diffuseMap) {
+        if (mtl_.diffuseMap)
             material_.colorTexture = maps_.color(*mtl_.diffuseMap, mtl_.directory);
-        }
         const bool textured = mtl_.diffuseMap.has_value();
         glm::dvec3 color = mtl_.diffuse.value_or(glm::dvec3(textured ? 1.0 : kUnstatedColor));
         if (textured && color == glm::dvec3(0.0)) {
@@ -92,17 +86,15 @@ private:
     }
 
     void readCutOut() {
-        if (mtl_.alphaMap) {
+        if (mtl_.alphaMap)
             material_.alphaTexture = maps_.alpha(*mtl_.alphaMap, mtl_.directory);
-        } else if (mtl_.diffuseMap && maps_.isTransparent(material_.colorTexture)) {
+        else if (mtl_.diffuseMap && maps_.isTransparent(material_.colorTexture))
             material_.alphaTexture = material_.colorTexture;
-        }
     }
 
     double opacity() {
-        if (mtl_.dissolve) {
+        if (mtl_.dissolve)
             return clamped("d", *mtl_.dissolve, ranges::kShare);
-        }
         if (mtl_.transparency == 1.0) {
             note("Tr 1 without d, which would be invisible and is often written for opaque, was "
                  "taken for opaque");
@@ -170,9 +162,8 @@ private:
     }
 
     void readRoughness(double exponent) {
-        if (mtl_.roughnessMap) {
+        if (mtl_.roughnessMap)
             material_.roughnessTexture = maps_.scalar(*mtl_.roughnessMap, mtl_.directory);
-        }
         if (mtl_.roughness) {
             material_.roughness = clamped("Pr", *mtl_.roughness, ranges::kShare);
         } else if (material_.roughnessTexture != Material::kNoTexture) {

@@ -16,15 +16,13 @@ public:
     void add(const std::string& remark, const std::string& material) {
         const auto found = std::ranges::find(notes_, remark, &Note::first);
         Note& note = found != notes_.end() ? *found : notes_.emplace_back(remark, Names());
-        if (std::ranges::find(note.second, material) == note.second.end()) {
+        if (std::ranges::find(note.second, material) == note.second.end())
             note.second.push_back(material);
-        }
     }
 
     void warn(const std::string& where, ReadContext& context) const {
-        for (const auto& [remark, materials] : notes_) {
+        for (const auto& [remark, materials] : notes_)
             context.warn(where, remark + " in " + listInQuotes(materials));
-        }
     }
 
 private:

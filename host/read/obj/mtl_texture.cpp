@@ -18,9 +18,8 @@ std::string_view withoutComment(std::string_view text) {
     for (size_t i = 0; i < text.size(); ++i) {
         const bool startsWord = i == 0 || isBlank(text[i - 1]);
         const bool endsWord = i + 1 == text.size() || isBlank(text[i + 1]);
-        if (text[i] == '#' && startsWord && endsWord) {
+        if (text[i] == '#' && startsWord && endsWord)
             return text.substr(0, i);
-        }
     }
     return text;
 }
@@ -31,21 +30,16 @@ std::string_view withoutQuotes(std::string_view text) {
 }
 
 std::optional<TexelChannel> channelOf(std::string_view word) {
-    if (word == "r") {
+    if (word == "r")
         return TexelChannel::Red;
-    }
-    if (word == "g") {
+    if (word == "g")
         return TexelChannel::Green;
-    }
-    if (word == "b") {
+    if (word == "b")
         return TexelChannel::Blue;
-    }
-    if (word == "m") {
+    if (word == "m")
         return TexelChannel::Alpha;
-    }
-    if (word == "l") {
+    if (word == "l")
         return TexelChannel::Luminance;
-    }
     return std::nullopt;
 }
 
@@ -60,14 +54,12 @@ public:
         while (true) {
             TextCursor next = cursor_;
             const std::string_view option = next.word();
-            if (!option.starts_with('-')) {
+            if (!option.starts_with('-'))
                 return cursor_.rest();
-            }
             const TextCursor before = cursor_;
             cursor_ = next;
-            if (!readOption(option)) {
+            if (!readOption(option))
                 return before.rest(); // the name begins with a hyphen
-            }
         }
     }
 
@@ -114,25 +106,22 @@ private:
     }
 
     void ignoreUnless(bool harmless, std::string_view option) {
-        if (!harmless) {
+        if (!harmless)
             texture_.ignored.emplace_back(option);
-        }
     }
 
     bool isOn(std::string_view option) {
         const std::string_view word = cursor_.word();
-        if (word != "on" && word != "off") {
+        if (word != "on" && word != "off")
             fail(option, "needs \"on\" or \"off\", not " + inQuotes(word));
-        }
         return word == "on";
     }
 
     double number(std::string_view option) {
         const std::string_view word = cursor_.word();
         const std::optional<double> value = parseNumber(word);
-        if (!value || !std::isfinite(*value)) {
+        if (!value || !std::isfinite(*value))
             fail(option, "needs a number, not " + inQuotes(word));
-        }
         return *value;
     }
 
@@ -143,9 +132,8 @@ private:
         for (int i = 1; i < 3; ++i) {
             TextCursor next = cursor_;
             const bool isNumber = parseNumber(next.word()).has_value();
-            if (!isNumber || (nameFollows_ && next.atEnd())) {
+            if (!isNumber || (nameFollows_ && next.atEnd()))
                 break;
-            }
             const double component = number(option);
             value.y = i == 1 ? component : value.y;
         }
@@ -159,9 +147,8 @@ private:
 
 /// Splits options off the end of a name, if all that follows some blank is options.
 std::string_view readTrailingOptions(MtlTexture& texture, std::string_view name) {
-    if (name.size() > kLongestName) {
+    if (name.size() > kLongestName)
         return name;
-    }
     for (size_t at = name.find(" -"); at != std::string_view::npos; at = name.find(" -", at + 1)) {
         MtlTexture withOptions = texture;
         try {
@@ -191,9 +178,8 @@ std::optional<MtlTexture> parseMtlTexture(std::string_view text, const std::stri
     texture.place = place;
     std::string_view name = OptionReader(texture, trimmed(withoutComment(text)), true).read();
     name = withoutQuotes(trimmed(readTrailingOptions(texture, name)));
-    if (name.empty()) {
+    if (name.empty())
         return std::nullopt;
-    }
     checkRange("-s", texture.scale, place);
     checkRange("-o", texture.offset, place);
     texture.file = name;

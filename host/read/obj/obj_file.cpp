@@ -64,9 +64,8 @@ public:
 
     /// Once all vertices are known, for faces may refer to later ones.
     void triangulate() {
-        for (const size_t index : outline_.nonFiniteNormals) {
+        for (const size_t index : outline_.nonFiniteNormals)
             file_.normals[index] = glm::dvec3(0.0);
-        }
         file_.triangles.reserve(outline_.corners - 2 * outline_.polygons);
         size_t run = 0;
         uint32_t material = ObjFile::kNoMaterial;
@@ -92,9 +91,8 @@ private:
 
     /// From OBJ's index (from 1, negative counts back, 0 is none).
     static uint32_t resolve(int index, size_t count) {
-        if (index == 0) {
+        if (index == 0)
             return kNone;
-        }
         return static_cast<uint32_t>(index > 0 ? index - 1 : static_cast<int64_t>(count) + index);
     }
 
@@ -148,9 +146,8 @@ private:
 ObjFile parseObj(std::string_view text, const std::string& path) {
     text = withoutByteOrderMark(text);
     const ObjOutline outline = checkObj(text, path);
-    if (outline.positions == 0) {
+    if (outline.positions == 0)
         throw SceneError(path, "the file has no vertices; is it a Wavefront OBJ?");
-    }
     if (outline.polygons == 0) {
         throw SceneError(path,
                          "the file has no faces; points, lines and curves cannot be rendered");

@@ -15,11 +15,9 @@ namespace {
 void warnOfMissingUvs(std::span<const Mesh::Triangle> triangles, const ObjMeshInput& input,
                       ReadContext& context) {
     std::set<uint32_t> lacking;
-    for (const Mesh::Triangle& triangle : triangles) {
-        if (triangle.uv[0] == Mesh::kNoUv) {
+    for (const Mesh::Triangle& triangle : triangles)
+        if (triangle.uv[0] == Mesh::kNoUv)
             lacking.insert(triangle.material);
-        }
-    }
     for (const uint32_t index : lacking) {
         const Material& material = context.scene.materials[index];
         const bool isDisplaced = index < input.displacements.size() && input.displacements[index];
@@ -60,9 +58,8 @@ Mesh buildObjMesh(const ObjFile& obj, const ObjMeshInput& input, ReadContext& co
     ObjectMesh source{obj.positions, obj.normals, obj.uvs, triangles};
     const auto displaced =
         displace(source, input.displacements, context.scene.textures, input.path);
-    if (displaced) {
+    if (displaced)
         source = {displaced->positions, displaced->normals, displaced->uvs, displaced->triangles};
-    }
     auto [mesh, dropped] = buildMesh(source, input.worldFromObject, input.normals, input.where);
     if (dropped > 0) {
         context.scene.droppedTriangles += dropped;

@@ -63,9 +63,8 @@ private:
     }
 
     void check(std::string_view line) {
-        if (line.empty() || line.front() == '#') {
+        if (line.empty() || line.front() == '#')
             return;
-        }
         TextCursor cursor(line);
         const std::string_view keyword = cursor.word();
         if (keyword == "v") {
@@ -85,9 +84,8 @@ private:
     }
 
     void checkVertex(Kind kind, TextCursor& cursor) {
-        if (cursor.atEnd()) {
+        if (cursor.atEnd())
             fail(std::string("\"") + kKeywords[kind] + "\" lacks its coordinates");
-        }
         ++counts_[kind];
         int numbers = 0;
         bool finite = true;
@@ -97,9 +95,8 @@ private:
             const std::optional<double> value = parseNumber(word);
             outline_.needsRewriting =
                 outline_.needsRewriting || !value || !tinyobjReadsNumber(word);
-            if (!value) {
+            if (!value)
                 return complain(kind, [&] { return inQuotes(word) + " is not a number"; });
-            }
             if (numbers < kUsedNumbers[kind]) {
                 finite = finite && std::isfinite(*value);
                 inRange =
@@ -130,19 +127,16 @@ private:
     template <typename Describe>
     void complain(Kind kind, Describe&& describe) {
         foundBadNumbers_ = true;
-        if (relevant_ != nullptr && (*relevant_)[kind][counts_[kind] - 1]) {
+        if (relevant_ != nullptr && (*relevant_)[kind][counts_[kind] - 1])
             fail(describe());
-        }
     }
 
     void checkFace(TextCursor& cursor) {
         size_t corners = 0;
-        for (; !cursor.atEnd(); ++corners) {
+        for (; !cursor.atEnd(); ++corners)
             checkCorner(cursor.word());
-        }
-        if (corners < 3) {
+        if (corners < 3)
             fail("a face needs at least 3 corners, not " + std::to_string(corners));
-        }
         outline_.needsRewriting = outline_.needsRewriting || !cursor.rest().empty();
         noteMaterial();
         ++outline_.polygons;
@@ -156,19 +150,17 @@ private:
         for (int field = 0; field < kKindCount; ++field) {
             int64_t index = 0;
             const auto [stop, error] = std::from_chars(next, end, index);
-            if (stop != next) {
+            if (stop != next)
                 checkIndex(Kind(field), error == std::errc() ? index : INT64_MAX, word);
-            } else if (field == 0) {
+            else if (field == 0)
                 break;
-            }
             next = stop;
             if (next == end) {
                 outline_.needsRewriting = outline_.needsRewriting || word.back() == '/';
                 return;
             }
-            if (*next != '/') {
+            if (*next != '/')
                 break;
-            }
             ++next;
         }
         fail("the corner " + inQuotes(word) +
@@ -177,9 +169,8 @@ private:
 
     void checkIndex(Kind kind, int64_t index, std::string_view word) {
         const auto count = static_cast<int64_t>(counts_[kind]);
-        if (index == 0) {
+        if (index == 0)
             fail("the corner " + inQuotes(word) + " has the index 0, but indices count from 1");
-        }
         if (index < -count) {
             fail("the corner " + inQuotes(word) + " counts back beyond the first " +
                  kKindNames[kind] + " (there are " + std::to_string(count) + " so far)");
@@ -188,15 +179,13 @@ private:
             largestIndex_[kind] = index;
             largestLine_[kind] = number_;
         }
-        if (collected_ != nullptr) {
+        if (collected_ != nullptr)
             (*collected_)[kind][static_cast<size_t>(index > 0 ? index - 1 : count + index)] = true;
-        }
     }
 
     void noteMaterial() {
-        if (!materialChanged_) {
+        if (!materialChanged_)
             return;
-        }
         materialChanged_ = false;
         uint32_t material = ObjOutline::kNoMaterial;
         if (!material_.empty()) {
@@ -232,9 +221,8 @@ ObjOutline checkObj(std::string_view text, const std::string& path) {
     first.run(text);
     if (first.foundBadNumbers()) {
         Usage used;
-        for (int kind = 0; kind < kKindCount; ++kind) {
+        for (int kind = 0; kind < kKindCount; ++kind)
             used[kind].resize(first.counts()[kind]);
-        }
         ObjPass(path, &used, nullptr).run(text);
         ObjPass(path, nullptr, &used).run(text);
     }

@@ -49,13 +49,12 @@ std::string textForTinyobj(std::string_view text) {
     forEachObjLine(text, [&](size_t, std::string_view line) {
         TextCursor cursor(line);
         const std::string_view keyword = cursor.word();
-        if (keyword == "f") {
+        if (keyword == "f")
             result.append(tidyFace(cursor));
-        } else if (keyword == "v" || keyword == "vt" || keyword == "vn") {
+        else if (keyword == "v" || keyword == "vt" || keyword == "vn")
             result.append(tidyVertex(keyword, cursor));
-        } else {
+        else
             result.append(line);
-        }
         result.push_back('\n');
     });
     return result;
