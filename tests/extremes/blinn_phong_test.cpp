@@ -28,7 +28,7 @@ struct Parameter {
     size_t count; ///< of events on each material
 };
 
-class BlinnPhongExtremes : public GpuTest, public testing::WithParamInterface<Parameter> {
+class BlinnPhongExtremesTest : public GpuTest, public testing::WithParamInterface<Parameter> {
 protected:
     static constexpr double kAllowedRoundoffs = 8.0;
 
@@ -51,7 +51,7 @@ protected:
     }
 };
 
-TEST_P(BlinnPhongExtremes, ValuesAreThoseOfDirectionsWithinRounding) {
+TEST_P(BlinnPhongExtremesTest, ValuesAreThoseOfDirectionsWithinRounding) {
     const auto [normalize, count] = GetParam();
     RandomNumbers random(211);
     LobeErrors errors;
@@ -66,11 +66,11 @@ TEST_P(BlinnPhongExtremes, ValuesAreThoseOfDirectionsWithinRounding) {
 
 // Samples of the form that is not normalized weigh 4 ks (n + 2) / (n + 1) wo.h wi.z, of the
 // normalized one at most ks.
-TEST_P(BlinnPhongExtremes, LobesScatterAsTheReference) {
+TEST_P(BlinnPhongExtremesTest, LobesScatterAsTheReference) {
     EXPECT_LE(samplesOf(0.0, 1.0, 212).greatestWeight, GetParam().normalize ? 1.0 + 1e-6 : 8.0);
 }
 
-TEST_P(BlinnPhongExtremes, MixturesScatterAsTheReference) {
+TEST_P(BlinnPhongExtremesTest, MixturesScatterAsTheReference) {
     EXPECT_LE(samplesOf(0.5, 0.4, 213).greatestWeight, GetParam().normalize ? 1.0 : 8.0);
 }
 
@@ -82,9 +82,9 @@ std::string nameOf(const testing::TestParamInfo<Parameter>& instance) {
     return instance.param.normalize ? "Normalized" : "AsTheReport";
 }
 
-INSTANTIATE_TEST_SUITE_P(With, BlinnPhongExtremes,
+INSTANTIATE_TEST_SUITE_P(With, BlinnPhongExtremesTest,
                          testing::Values(Parameter{false, 400}, Parameter{true, 400}), nameOf);
-INSTANTIATE_TEST_SUITE_P(SlowWith, BlinnPhongExtremes,
+INSTANTIATE_TEST_SUITE_P(SlowWith, BlinnPhongExtremesTest,
                          testing::Values(Parameter{false, 2000}, Parameter{true, 2000}), nameOf);
 
 } // namespace

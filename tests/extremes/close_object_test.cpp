@@ -8,7 +8,7 @@
 namespace calotype::test {
 namespace {
 
-class CloseObjects : public GpuTest, public testing::WithParamInterface<double> {};
+class CloseObjectsTest : public GpuTest, public testing::WithParamInterface<double> {};
 
 /// everyShape at `scale`, away from the middle of a room with grey walls and a lamp.
 Scene inARoom(double scale) {
@@ -30,13 +30,13 @@ Scene inARoom(double scale) {
     return scene;
 }
 
-TEST_P(CloseObjects, LookAsTheReferenceSays) {
+TEST_P(CloseObjectsTest, LookAsTheReferenceSays) {
     const Scene scene = inARoom(GetParam());
     expectAgreement(agreementWithReference(scene, scene, 32, 32), 1e-4, 0.01);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scaled, CloseObjects, testing::Values(1e-4));
-INSTANTIATE_TEST_SUITE_P(SlowScaled, CloseObjects, testing::Values(1e-2, 1e-5, 1e-6));
+INSTANTIATE_TEST_SUITE_P(Scaled, CloseObjectsTest, testing::Values(1e-4));
+INSTANTIATE_TEST_SUITE_P(SlowScaled, CloseObjectsTest, testing::Values(1e-2, 1e-5, 1e-6));
 
 } // namespace
 } // namespace calotype::test

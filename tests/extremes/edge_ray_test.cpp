@@ -58,7 +58,7 @@ Scene sceneAbout(const ClosedMesh& closed) {
     return sceneOf(std::move(shapes));
 }
 
-class EdgeRays : public GpuTest, public testing::WithParamInterface<ClosedMesh> {
+class EdgeRaysTest : public GpuTest, public testing::WithParamInterface<ClosedMesh> {
 protected:
     /// Of so many rays in all meshes together.
     static void expectNoEscapes(uint64_t raysInAll) {
@@ -70,14 +70,14 @@ protected:
     }
 };
 
-TEST_P(EdgeRays, StayInClosedMeshes) { expectNoEscapes(10'000'000); }
+TEST_P(EdgeRaysTest, StayInClosedMeshes) { expectNoEscapes(10'000'000); }
 
-using SlowEdgeRays = EdgeRays;
-TEST_P(SlowEdgeRays, StayInClosedMeshes) { expectNoEscapes(1'000'000'000); }
+using SlowEdgeRaysTest = EdgeRaysTest;
+TEST_P(SlowEdgeRaysTest, StayInClosedMeshes) { expectNoEscapes(1'000'000'000); }
 
-class EdgeRaysAtScale : public GpuTest, public testing::WithParamInterface<int> {};
+class EdgeRaysAtScaleTest : public GpuTest, public testing::WithParamInterface<int> {};
 
-TEST_P(EdgeRaysAtScale, StayInClosedMeshes) {
+TEST_P(EdgeRaysAtScaleTest, StayInClosedMeshes) {
     constexpr uint64_t kRays = 500'000;
     const double size = std::pow(10.0, GetParam());
     for (const Mesh& mesh : {icosphere(5, glm::dvec3(0.0), 1.0), turned(cubeMesh(24))}) {
@@ -91,15 +91,15 @@ TEST_P(EdgeRaysAtScale, StayInClosedMeshes) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, EdgeRaysAtScale, testing::Values(-15, -12, -9, -6, -3, 3, 6, 9, 11),
-                         [](const auto& power) {
+INSTANTIATE_TEST_SUITE_P(Of, EdgeRaysAtScaleTest,
+                         testing::Values(-15, -12, -9, -6, -3, 3, 6, 9, 11), [](const auto& power) {
                              return (power.param < 0 ? "TenToMinus" : "TenTo") +
                                     std::to_string(std::abs(power.param));
                          });
 
 const auto nameOfMesh = [](const auto& mesh) { return std::string(mesh.param.name); };
-INSTANTIATE_TEST_SUITE_P(Of, EdgeRays, testing::ValuesIn(kClosedMeshes), nameOfMesh);
-INSTANTIATE_TEST_SUITE_P(Of, SlowEdgeRays, testing::ValuesIn(kClosedMeshes), nameOfMesh);
+INSTANTIATE_TEST_SUITE_P(Of, EdgeRaysTest, testing::ValuesIn(kClosedMeshes), nameOfMesh);
+INSTANTIATE_TEST_SUITE_P(Of, SlowEdgeRaysTest, testing::ValuesIn(kClosedMeshes), nameOfMesh);
 
 } // namespace
 } // namespace calotype::test

@@ -35,7 +35,7 @@ struct Parameter {
     size_t count; ///< of events on each material
 };
 
-class GgxExtremes : public GpuTest, public testing::WithParamInterface<Parameter> {
+class GgxExtremesTest : public GpuTest, public testing::WithParamInterface<Parameter> {
 protected:
     static constexpr double kAllowedRoundoffs = 8.0;
 
@@ -62,7 +62,7 @@ protected:
     }
 };
 
-TEST_P(GgxExtremes, ValuesAreThoseOfDirectionsWithinRounding) {
+TEST_P(GgxExtremesTest, ValuesAreThoseOfDirectionsWithinRounding) {
     const auto [masking, count] = GetParam();
     RandomNumbers random(201);
     LobeErrors errors;
@@ -77,7 +77,7 @@ TEST_P(GgxExtremes, ValuesAreThoseOfDirectionsWithinRounding) {
     EXPECT_LE(errors.roundoffs, kAllowedRoundoffs) << errors.worst;
 }
 
-TEST_P(GgxExtremes, MetalsScatterAsTheReference) {
+TEST_P(GgxExtremesTest, MetalsScatterAsTheReference) {
     RandomNumbers random(202);
     LobeErrors errors;
     addEverySample([&](double roughness) { return metal(roughness, GetParam().masking); }, random,
@@ -86,7 +86,7 @@ TEST_P(GgxExtremes, MetalsScatterAsTheReference) {
     EXPECT_LE(errors.greatestWeight, 1.0 + 1e-6); // F G2 / G1
 }
 
-TEST_P(GgxExtremes, NonmetalsScatterAsTheReference) {
+TEST_P(GgxExtremesTest, NonmetalsScatterAsTheReference) {
     RandomNumbers random(203);
     LobeErrors errors;
     for (const double specular : {0.0, 0.04, 1.0})
@@ -105,11 +105,11 @@ std::string nameOf(const testing::TestParamInfo<Parameter>& instance) {
     return instance.param.masking == Masking::Smith ? "SmithMasking" : "SchlickMasking";
 }
 
-INSTANTIATE_TEST_SUITE_P(With, GgxExtremes,
+INSTANTIATE_TEST_SUITE_P(With, GgxExtremesTest,
                          testing::Values(Parameter{Masking::Schlick, 200},
                                          Parameter{Masking::Smith, 200}),
                          nameOf);
-INSTANTIATE_TEST_SUITE_P(SlowWith, GgxExtremes,
+INSTANTIATE_TEST_SUITE_P(SlowWith, GgxExtremesTest,
                          testing::Values(Parameter{Masking::Schlick, 2000},
                                          Parameter{Masking::Smith, 2000}),
                          nameOf);

@@ -41,9 +41,9 @@ double meanOf(const TileMeans& means) {
 
 double worstOf(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
-class GlassBall : public GpuTest, public testing::WithParamInterface<double> {};
+class GlassBallTest : public GpuTest, public testing::WithParamInterface<double> {};
 
-TEST_P(GlassBall, KeepsTheEnergyOfAFurnace) {
+TEST_P(GlassBallTest, KeepsTheEnergyOfAFurnace) {
     const Scene scene = ballInAFurnace(GetParam());
     const RenderSettings settings = squareSettings(scene, kSide, scene.render.seed);
     DeviceTracer device(scene, settings);
@@ -69,7 +69,7 @@ std::string nameOf(const testing::TestParamInfo<double>& instance) {
     return kNames[instance.index];
 }
 
-INSTANTIATE_TEST_SUITE_P(OfIndex, GlassBall,
+INSTANTIATE_TEST_SUITE_P(OfIndex, GlassBallTest,
                          testing::Values(0.01, 1.0 / 1.5, 1.0, 1.0 + 1e-6, 1.5, 4.0, 100.0),
                          nameOf);
 

@@ -34,16 +34,17 @@ Scene objectsOnGround(double radius) {
     return scene;
 }
 
-class GroundSphere : public GpuTest, public testing::WithParamInterface<int> {};
+class GroundSphereTest : public GpuTest, public testing::WithParamInterface<int> {};
 
-TEST_P(GroundSphere, IsAsGoodAsAPlane) {
+TEST_P(GroundSphereTest, IsAsGoodAsAPlane) {
     const Scene scene = objectsOnGround(std::pow(10.0, GetParam()));
     expectAgreement(agreementWithReference(scene, scene, 48, 32), 1e-4, 0.01);
 }
 
 const auto nameOfPower = [](const auto& power) { return std::to_string(power.param); };
-INSTANTIATE_TEST_SUITE_P(OfTenTo, GroundSphere, testing::Values(6, 9), nameOfPower);
-INSTANTIATE_TEST_SUITE_P(SlowOfTenTo, GroundSphere, testing::Values(2, 4, 5, 7, 8), nameOfPower);
+INSTANTIATE_TEST_SUITE_P(OfTenTo, GroundSphereTest, testing::Values(6, 9), nameOfPower);
+INSTANTIATE_TEST_SUITE_P(SlowOfTenTo, GroundSphereTest, testing::Values(2, 4, 5, 7, 8),
+                         nameOfPower);
 
 } // namespace
 } // namespace calotype::test

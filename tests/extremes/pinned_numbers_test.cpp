@@ -29,7 +29,7 @@ constexpr std::array kEnds = {0.0f, 0x1p-24f, 0.25f, 0.5f, 1.0f - 0x1p-23f, kLar
 
 bool isFinite(const glm::vec3& v) { return std::isfinite(v.x + v.y + v.z); }
 
-class PinnedNumbers : public GpuTest {
+class PinnedNumbersTest : public GpuTest {
 protected:
     /// The only light of a scene.
     static std::vector<shared::TestLightSample>
@@ -59,7 +59,7 @@ std::vector<Shape> everyLight() {
             shapeOf(Cone{{}, -10.0, 1e-5})};
 }
 
-TEST_F(PinnedNumbers, FindPointsOfLights) {
+TEST_F(PinnedNumbersTest, FindPointsOfLights) {
     for (const Shape& shape : everyLight()) {
         const GpuScene packed = packedLight(shape);
         const bool isQuadric = (packed.lights[0].primitive & shared::kQuadricBit) != 0;
@@ -93,7 +93,7 @@ TEST_F(PinnedNumbers, FindPointsOfLights) {
     }
 }
 
-TEST_F(PinnedNumbers, ChooseLightsThatShine) {
+TEST_F(PinnedNumbersTest, ChooseLightsThatShine) {
     std::vector<Shape> shapes;
     for (uint32_t i = 0; i < 100; ++i)
         shapes.push_back(shapeOf(Sphere{{glm::dmat3(1.0), {double(i), 0.0, 0.0}}, 0.1}, i % 4));
@@ -127,7 +127,7 @@ TEST_F(PinnedNumbers, ChooseLightsThatShine) {
     }
 }
 
-TEST_F(PinnedNumbers, ScatterToTheRightSide) {
+TEST_F(PinnedNumbersTest, ScatterToTheRightSide) {
     std::vector<TestMaterial> materials = testMaterials();
     for (const double ior : {1.0, 1.5, 1.0 / 1.5}) {
         TestMaterial glass;
@@ -163,7 +163,7 @@ TEST_F(PinnedNumbers, ScatterToTheRightSide) {
     }
 }
 
-TEST_F(PinnedNumbers, StayOnTheLens) {
+TEST_F(PinnedNumbersTest, StayOnTheLens) {
     std::vector<shared::TestFilmQuery> queries;
     for (const double radius : {1e-6, 0.1, 1e3}) {
         Camera camera;
@@ -184,7 +184,7 @@ TEST_F(PinnedNumbers, StayOnTheLens) {
     }
 }
 
-TEST_F(PinnedNumbers, StayWithinTheFiltersSupport) {
+TEST_F(PinnedNumbersTest, StayWithinTheFiltersSupport) {
     for (const FilmFilter filter :
          {FilmFilter::Box, FilmFilter::Tent, FilmFilter::Gaussian, FilmFilter::BlackmanHarris}) {
         GpuScene table;

@@ -93,9 +93,9 @@ Mistakes mistakesOf(uint32_t kind, double proportion) {
 
 using Parameter = std::tuple<uint32_t, double>;
 
-class QuadricDeparture : public GpuTest, public testing::WithParamInterface<Parameter> {};
+class QuadricDepartureTest : public GpuTest, public testing::WithParamInterface<Parameter> {};
 
-TEST_P(QuadricDeparture, NeitherMeetsItselfNorEscapes) {
+TEST_P(QuadricDepartureTest, NeitherMeetsItselfNorEscapes) {
     const auto [kind, proportion] = GetParam();
     const Mistakes mistakes = mistakesOf(kind, proportion);
     EXPECT_GT(mistakes.rays, 36u * kRaysPerQuadric / 2);
@@ -111,7 +111,7 @@ TEST_P(QuadricDeparture, NeitherMeetsItselfNorEscapes) {
         EXPECT_LE(mistakes.wrongSide, 1e-2 * mistakes.rays) << mistakes.example;
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, QuadricDeparture,
+INSTANTIATE_TEST_SUITE_P(Of, QuadricDepartureTest,
                          testing::Combine(testing::Values(shared::kCylinder, shared::kCone),
                                           testing::Values(1e-5, 1e-4, 1e-3, 1e3, 1e4, 1e5)),
                          [](const auto& instance) {

@@ -31,9 +31,9 @@ std::vector<Room> rooms() {
             {"FlatCone", cone(1.0, 1e5), {10.0, 0.8, 5.0}}};
 }
 
-class QuadricFurnace : public GpuTest, public testing::WithParamInterface<Room> {};
+class QuadricFurnaceTest : public GpuTest, public testing::WithParamInterface<Room> {};
 
-TEST_P(QuadricFurnace, ShowsRadianceOne) {
+TEST_P(QuadricFurnaceTest, ShowsRadianceOne) {
     SceneBuilder builder;
     builder.material(0.5, 0.5);
     builder.add(GetParam().shape);
@@ -52,7 +52,7 @@ TEST_P(QuadricFurnace, ShowsRadianceOne) {
     EXPECT_EQ(result.totals.losses.cutPaths, 0u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, QuadricFurnace, testing::ValuesIn(rooms()),
+INSTANTIATE_TEST_SUITE_P(Of, QuadricFurnaceTest, testing::ValuesIn(rooms()),
                          [](const auto& instance) { return instance.param.name; });
 
 } // namespace

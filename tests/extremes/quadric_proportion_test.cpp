@@ -40,9 +40,9 @@ void PrintTo(const Parameter& parameter, std::ostream* stream) {
     *stream << parameter.raysPerQuadric << " rays a quadric";
 }
 
-class QuadricProportion : public GpuTest, public testing::WithParamInterface<Parameter> {};
+class QuadricProportionTest : public GpuTest, public testing::WithParamInterface<Parameter> {};
 
-TEST_P(QuadricProportion, EveryKindOfRayHitsASurfaceWithinRounding) {
+TEST_P(QuadricProportionTest, EveryKindOfRayHitsASurfaceWithinRounding) {
     const auto [kind, proportion, raysPerQuadric] = GetParam();
     for (const RayKind rayKind : kAllRayKinds) {
         SCOPED_TRACE(nameOf(rayKind));
@@ -59,7 +59,7 @@ TEST_P(QuadricProportion, EveryKindOfRayHitsASurfaceWithinRounding) {
 }
 
 // Most rays of the kinds above pass by what is so thin.
-TEST_P(QuadricProportion, CloseUpRaysHitASurfaceWithinRounding) {
+TEST_P(QuadricProportionTest, CloseUpRaysHitASurfaceWithinRounding) {
     const auto [kind, proportion, raysPerQuadric] = GetParam();
     RandomNumbers random(241);
     const auto quadrics = closeUpQuadrics(kind, proportion, random);
@@ -81,8 +81,9 @@ std::string nameOfInstance(const testing::TestParamInfo<Parameter>& instance) {
     return nameOf(instance.param.kind) + proportionName(instance.param.proportion);
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, QuadricProportion, testing::ValuesIn(parameters(200)), nameOfInstance);
-INSTANTIATE_TEST_SUITE_P(SlowOf, QuadricProportion, testing::ValuesIn(parameters(1000)),
+INSTANTIATE_TEST_SUITE_P(Of, QuadricProportionTest, testing::ValuesIn(parameters(200)),
+                         nameOfInstance);
+INSTANTIATE_TEST_SUITE_P(SlowOf, QuadricProportionTest, testing::ValuesIn(parameters(1000)),
                          nameOfInstance);
 
 } // namespace

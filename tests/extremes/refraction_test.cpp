@@ -39,11 +39,11 @@ double refractedCosine(double cosThetaI, double eta) {
     return sin2 < 1.0 ? std::sqrt(1.0 - sin2) : 0.0;
 }
 
-class RefractionExtremes : public GpuTest {};
+class RefractionExtremesTest : public GpuTest {};
 
 // Right are the answers of a cosine and an index that are off by eight roundings at most. About the
 // critical angle both are as steep as a square root.
-TEST_F(RefractionExtremes, AreThoseOfAnIndexWithinRounding) {
+TEST_F(RefractionExtremesTest, AreThoseOfAnIndexWithinRounding) {
     constexpr double kSlack = 8.0 * kRoundoffOfFloat;
     RandomNumbers random(221);
     double worst = 0.0;
@@ -80,7 +80,7 @@ TEST_F(RefractionExtremes, AreThoseOfAnIndexWithinRounding) {
 
 // Whatever the index, light that crosses follows Snell's law and stays on its side, and what
 // crosses twice comes back with its weight.
-TEST_F(RefractionExtremes, DirectionsAreSnells) {
+TEST_F(RefractionExtremesTest, DirectionsAreSnells) {
     RandomNumbers random(222);
     Material glass;
     glass.type = MaterialType::Dielectric;

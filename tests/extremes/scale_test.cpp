@@ -23,9 +23,9 @@ struct Placement {
 
 void PrintTo(const Placement& placement, std::ostream* stream) { *stream << placement.name; }
 
-class ScaledScene : public GpuTest, public testing::WithParamInterface<Placement> {};
+class ScaledSceneTest : public GpuTest, public testing::WithParamInterface<Placement> {};
 
-TEST_P(ScaledScene, GivesTheSamePicture) {
+TEST_P(ScaledSceneTest, GivesTheSamePicture) {
     const auto& [name, scale, offset] = GetParam();
     const Scene scene = everyShape();
     const Scene placed = scaledAndMoved(scene, scale, scale * offset);
@@ -71,10 +71,10 @@ void expectDark(const Placement& placement, uint32_t side) {
     }
 }
 
-TEST_P(ScaledScene, LetsNoLightIntoWhatIsClosed) { expectDark(GetParam(), 16); }
+TEST_P(ScaledSceneTest, LetsNoLightIntoWhatIsClosed) { expectDark(GetParam(), 16); }
 
-using SlowScaledScene = ScaledScene;
-TEST_P(SlowScaledScene, LetsNoLightIntoWhatIsClosed) { expectDark(GetParam(), 64); }
+using SlowScaledSceneTest = ScaledSceneTest;
+TEST_P(SlowScaledSceneTest, LetsNoLightIntoWhatIsClosed) { expectDark(GetParam(), 64); }
 
 const auto kPlacements = testing::Values(
     Placement{"One", 1.0, {}}, Placement{"Thousandth", 1e-3, {}}, Placement{"Millionth", 1e-6, {}},
@@ -85,8 +85,8 @@ const auto kPlacements = testing::Values(
 const auto nameOfPlacement = [](const auto& placement) {
     return std::string(placement.param.name);
 };
-INSTANTIATE_TEST_SUITE_P(By, ScaledScene, kPlacements, nameOfPlacement);
-INSTANTIATE_TEST_SUITE_P(By, SlowScaledScene, kPlacements, nameOfPlacement);
+INSTANTIATE_TEST_SUITE_P(By, ScaledSceneTest, kPlacements, nameOfPlacement);
+INSTANTIATE_TEST_SUITE_P(By, SlowScaledSceneTest, kPlacements, nameOfPlacement);
 
 } // namespace
 } // namespace calotype::test

@@ -12,7 +12,7 @@ namespace calotype::test {
 namespace {
 
 /// Width over length.
-class Slivers : public GpuTest, public testing::WithParamInterface<double> {
+class SliversTest : public GpuTest, public testing::WithParamInterface<double> {
 protected:
     static uint64_t escapesOf(const Mesh& mesh, uint64_t rays) {
         const EdgeRayScene scene(packAsProgram(sceneOf({shapeOf(mesh)})).packed, {});
@@ -24,19 +24,19 @@ protected:
     }
 };
 
-TEST_P(Slivers, OfClosedBoxesLetNoRayOut) {
+TEST_P(SliversTest, OfClosedBoxesLetNoRayOut) {
     const Mesh box = boxWithCuts(sliverCuts(GetParam()));
     EXPECT_EQ(escapesOf(box, 1'000'000), 0u);
     EXPECT_EQ(escapesOf(turned(box), 1'000'000), 0u);
 }
 
-TEST_P(Slivers, OfLongTubesLetNoRayOut) {
+TEST_P(SliversTest, OfLongTubesLetNoRayOut) {
     const glm::dvec3 thin(1.0, GetParam(), GetParam());
     EXPECT_EQ(escapesOf(stretched(cubeMesh(8), thin), 500'000), 0u);
     EXPECT_EQ(escapesOf(stretched(icosphere(3, {}, 1.0), thin), 500'000), 0u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, Slivers, testing::Values(1e-3, 1e-4, 1e-5, 1e-6, 1e-7),
+INSTANTIATE_TEST_SUITE_P(Of, SliversTest, testing::Values(1e-3, 1e-4, 1e-5, 1e-6, 1e-7),
                          [](const auto& width) {
                              return "Width1em" +
                                     std::to_string(std::lround(-std::log10(width.param)));

@@ -61,11 +61,11 @@ std::vector<glm::dvec2> randomPoints(size_t count, uint64_t seed) {
     return points;
 }
 
-class FarTextures : public GpuTest {};
+class FarTexturesTest : public GpuTest {};
 
 // To nearest, half a rounding each: the corners, the weight that is a difference (twice), the
 // products and two sums: three. One more where a device rounds otherwise.
-TEST_F(FarTextures, CoordinatesAreOffByFourRoundingsAtMost) {
+TEST_F(FarTexturesTest, CoordinatesAreOffByFourRoundingsAtMost) {
     const auto points = randomPoints(20'000, 251);
     for (const double start : {0.0, 1e3, 1e6, -1e6, 1e9}) {
         double worst = 0.0;
@@ -80,7 +80,7 @@ TEST_F(FarTextures, CoordinatesAreOffByFourRoundingsAtMost) {
 }
 
 // Coordinates that float holds are wrapped without a loss, however far away.
-TEST_F(FarTextures, LookUpsOfExactCoordinatesAreExact) {
+TEST_F(FarTexturesTest, LookUpsOfExactCoordinatesAreExact) {
     RandomNumbers random(252);
     const PackedTextures packed(variedTextures(
         {{16, 16, true, true}, {5, 3, true, true}, {256, 64, false, false}}, random));
@@ -124,7 +124,7 @@ size_t texelsFound(double start, uint32_t n) {
 
 // The limit that `calotype info` warns of: up to it no texel is lost, and each is found half a
 // texel from its place at most; sixteen times farther, half of them are lost.
-TEST_F(FarTextures, TexelsAreFoundUpToTheLimit) {
+TEST_F(FarTexturesTest, TexelsAreFoundUpToTheLimit) {
     constexpr uint32_t kTexels = 1024;
     const auto points = randomPoints(20'000, 253);
     for (double far = 0x1p16; far <= 0x1p26; far *= 4.0) {

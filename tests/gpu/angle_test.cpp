@@ -10,9 +10,9 @@
 namespace calotype::test {
 namespace {
 
-class AngleInTurns : public GpuTest {};
+class AngleInTurnsTest : public GpuTest {};
 
-TEST_F(AngleInTurns, ErrsByLessThanItStatesAroundTheCircle) {
+TEST_F(AngleInTurnsTest, ErrsByLessThanItStatesAroundTheCircle) {
     RandomNumbers random(121);
     std::vector<glm::vec2> points;
     for (uint32_t i = 0; i < 1u << 18; ++i) {
@@ -34,7 +34,7 @@ TEST_F(AngleInTurns, ErrsByLessThanItStatesAroundTheCircle) {
     EXPECT_LT(worst, 1e-7);
 }
 
-TEST_F(AngleInTurns, IsExactOnTheAxesWhateverTheSignOfZero) {
+TEST_F(AngleInTurnsTest, IsExactOnTheAxesWhateverTheSignOfZero) {
     const std::vector<glm::vec2> points = {
         {1.0f, 0.0f},  {1.0f, -0.0f},  {0.0f, 1.0f}, {-0.0f, 1.0f}, {-1.0f, 0.0f}, {-1.0f, -0.0f},
         {0.0f, -1.0f}, {-0.0f, -1.0f}, {0.0f, 0.0f}, {-0.0f, 0.0f}, {0.0f, -0.0f}, {-0.0f, -0.0f}};

@@ -48,9 +48,9 @@ double mixturePdf(const TestMaterial& test, double diffuseProbability, const glm
     return diffuseProbability * wi.z / kPi + (1.0 - diffuseProbability) * halfVector;
 }
 
-class BsdfSample : public GpuTest {};
+class BsdfSampleTest : public GpuTest {};
 
-TEST_F(BsdfSample, IsDistributedAsItsDensity) {
+TEST_F(BsdfSampleTest, IsDistributedAsItsDensity) {
     RandomNumbers random(81);
     for (const TestMaterial& test : testMaterials())
         for (const double cosThetaO : kCosines) {
@@ -71,7 +71,7 @@ TEST_F(BsdfSample, IsDistributedAsItsDensity) {
         }
 }
 
-TEST_F(BsdfSample, WeighsValueOverDensity) {
+TEST_F(BsdfSampleTest, WeighsValueOverDensity) {
     RandomNumbers random(82);
     for (const TestMaterial& test : testMaterials())
         for (const double cosThetaO : kCosines) {
@@ -95,7 +95,7 @@ TEST_F(BsdfSample, WeighsValueOverDensity) {
 
 // Blinn-Phong that is not normalized reflects up to about 4 ks; every other model at most what
 // arrives.
-TEST_F(BsdfSample, ConservesEnergyWhereItShould) {
+TEST_F(BsdfSampleTest, ConservesEnergyWhereItShould) {
     RandomNumbers random(83);
     for (TestMaterial test : testMaterials()) {
         if (test.material.type == MaterialType::Metal)

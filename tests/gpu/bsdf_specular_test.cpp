@@ -45,10 +45,10 @@ Material metal(double roughness, Masking masking) {
     return material;
 }
 
-class Specular : public GpuTest {};
+class SpecularTest : public GpuTest {};
 
 // Seen from outside and from within: which side it is, the true surface alone decides.
-TEST_F(Specular, DielectricFollowsSnellAndFresnel) {
+TEST_F(SpecularTest, DielectricFollowsSnellAndFresnel) {
     RandomNumbers random(91);
     Material glass;
     glass.type = MaterialType::Dielectric;
@@ -86,7 +86,7 @@ TEST_F(Specular, DielectricFollowsSnellAndFresnel) {
             }
 }
 
-TEST_F(Specular, MetalOfNoRoughnessIsAMirror) {
+TEST_F(SpecularTest, MetalOfNoRoughnessIsAMirror) {
     RandomNumbers random(92);
     const double almostMirror = 0.999 * std::sqrt(shared::kMirrorAlpha);
     for (const double roughness : {0.0, almostMirror})
@@ -108,7 +108,7 @@ TEST_F(Specular, MetalOfNoRoughnessIsAMirror) {
 }
 
 // Just above the threshold the lobe is narrow and reflects as much as the mirror just below.
-TEST_F(Specular, MirrorIsTheLimitOfLittleRoughness) {
+TEST_F(SpecularTest, MirrorIsTheLimitOfLittleRoughness) {
     RandomNumbers random(93);
     const double threshold = std::sqrt(shared::kMirrorAlpha);
     for (const Masking masking : {Masking::Schlick, Masking::Smith})
@@ -132,7 +132,7 @@ TEST_F(Specular, MirrorIsTheLimitOfLittleRoughness) {
 }
 
 // The mirror over a diffuse base: both lobes' shares come out, whatever the chance of each.
-TEST_F(Specular, NonmetalOfNoRoughnessMixesMirrorAndDiffuse) {
+TEST_F(SpecularTest, NonmetalOfNoRoughnessMixesMirrorAndDiffuse) {
     RandomNumbers random(94);
     Material varnish;
     varnish.type = MaterialType::Nonmetal;
@@ -157,7 +157,7 @@ TEST_F(Specular, NonmetalOfNoRoughnessMixesMirrorAndDiffuse) {
 
 // Whatever the shading normal: the viewer sees the shaded side, the mirrored direction leaves on
 // the true surface's side, and the refracted one on the other.
-TEST_F(Specular, DirectionsAgreeWithTheTrueSurface) {
+TEST_F(SpecularTest, DirectionsAgreeWithTheTrueSurface) {
     RandomNumbers random(95);
     std::vector<shared::TestScattering> events;
     Material glass;
@@ -195,7 +195,7 @@ TEST_F(Specular, DirectionsAgreeWithTheTrueSurface) {
 }
 
 // Where the shading normal needs no help it stays as it is.
-TEST_F(Specular, NormalsInAgreementAreKept) {
+TEST_F(SpecularTest, NormalsInAgreementAreKept) {
     const Material chrome = metal(0.0, Masking::Smith);
     shared::TestScattering event = scatteringOn(chrome, directionAt(0.8, 0.0));
     event.ns = glm::vec3(glm::normalize(glm::dvec3(0.2, 0.1, 1.0)));

@@ -15,7 +15,7 @@
 namespace calotype::test {
 namespace {
 
-class BsdfValue : public GpuTest {};
+class BsdfValueTest : public GpuTest {};
 
 /// Pairs of directions where the lobe is: half vectors spread over a few of its widths.
 std::vector<shared::TestScattering> eventsAcross(const TestMaterial& test, int count,
@@ -45,7 +45,7 @@ double relativeTolerance(const TestMaterial& test, const glm::dvec3& wo, const g
     return 1e-5 + 16.0 * kTurn / (test.lobeWidth * glm::length(wo + wi));
 }
 
-TEST_F(BsdfValue, IsTheModelsEquation) {
+TEST_F(BsdfValueTest, IsTheModelsEquation) {
     RandomNumbers random(71);
     for (const TestMaterial& test : testMaterials()) {
         const auto events = eventsAcross(test, 4000, random);
@@ -63,7 +63,7 @@ TEST_F(BsdfValue, IsTheModelsEquation) {
     }
 }
 
-TEST_F(BsdfValue, DensityIsThatOfTheWholeMixture) {
+TEST_F(BsdfValueTest, DensityIsThatOfTheWholeMixture) {
     RandomNumbers random(72);
     for (const TestMaterial& test : testMaterials()) {
         const auto events = eventsAcross(test, 4000, random);
@@ -82,7 +82,7 @@ TEST_F(BsdfValue, DensityIsThatOfTheWholeMixture) {
     }
 }
 
-TEST_F(BsdfValue, IsTheSameBothWays) {
+TEST_F(BsdfValueTest, IsTheSameBothWays) {
     RandomNumbers random(73);
     for (const TestMaterial& test : testMaterials()) {
         const auto events = eventsAcross(test, 2000, random);
@@ -100,7 +100,7 @@ TEST_F(BsdfValue, IsTheSameBothWays) {
 }
 
 // Nothing on the far side, and nothing is not a number where both directions graze.
-TEST_F(BsdfValue, IsZeroBelowTheSurfaceAndFiniteAtItsEdge) {
+TEST_F(BsdfValueTest, IsZeroBelowTheSurfaceAndFiniteAtItsEdge) {
     RandomNumbers random(74);
     for (const TestMaterial& test : testMaterials()) {
         std::vector<shared::TestScattering> events;

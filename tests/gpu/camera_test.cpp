@@ -92,7 +92,7 @@ double distanceFromRay(const shared::TestCameraRay& ray, const glm::dvec3& point
     return glm::length(glm::cross(point - glm::dvec3(ray.origin), glm::dvec3(ray.direction)));
 }
 
-class CameraRay : public GpuTest {
+class CameraRayTest : public GpuTest {
 protected:
     std::vector<shared::TestCameraRay> run(const std::vector<shared::TestFilmQuery>& queries,
                                            const std::vector<vk::Bool32>& features = {}) {
@@ -118,7 +118,7 @@ protected:
     }
 };
 
-TEST_F(CameraRay, OfAPinholeIsThePerspectives) {
+TEST_F(CameraRayTest, OfAPinholeIsThePerspectives) {
     forEachRay(variedCameras(Projection::Perspective, 0.0), [](const Camera& camera,
                                                                const auto& query, const auto& ray) {
         const glm::dvec3 wanted = pinholeDirection(camera, query.position);
@@ -128,7 +128,7 @@ TEST_F(CameraRay, OfAPinholeIsThePerspectives) {
     });
 }
 
-TEST_F(CameraRay, OfAParallelProjectionIsParallel) {
+TEST_F(CameraRayTest, OfAParallelProjectionIsParallel) {
     forEachRay(variedCameras(Projection::Orthographic, 0.0), [](const Camera& camera,
                                                                 const auto& query,
                                                                 const auto& ray) {
@@ -139,7 +139,7 @@ TEST_F(CameraRay, OfAParallelProjectionIsParallel) {
 }
 
 // Pixel (0, 0) is top left, for a camera that looks along -z.
-TEST_F(CameraRay, StartsAtTheTopLeft) {
+TEST_F(CameraRayTest, StartsAtTheTopLeft) {
     const shared::Camera camera =
         packCamera(Camera{}, FilmFilter::Box, glm::dvec3(0.0), kAspectRatio);
     const auto rays = run({{camera, {0, 0}, {}, kImageSize, 0, 0}});
@@ -148,7 +148,7 @@ TEST_F(CameraRay, StartsAtTheTopLeft) {
     EXPECT_LT(rays[0].direction.z, -0.1f);
 }
 
-TEST_F(CameraRay, OfALensMeetsTheOthersInThePlaneInFocus) {
+TEST_F(CameraRayTest, OfALensMeetsTheOthersInThePlaneInFocus) {
     for (const auto projection : {Projection::Perspective, Projection::Orthographic})
         forEachRay(variedCameras(projection, 0.3),
                    [](const Camera& camera, const auto& query, const auto& ray) {
@@ -159,7 +159,7 @@ TEST_F(CameraRay, OfALensMeetsTheOthersInThePlaneInFocus) {
                    });
 }
 
-TEST_F(CameraRay, OfALensStartsAnywhereOnItsDiskAlike) {
+TEST_F(CameraRayTest, OfALensStartsAnywhereOnItsDiskAlike) {
     RandomNumbers random(163);
     constexpr uint32_t kRings = 12;
     constexpr uint32_t kSectors = 12;
@@ -191,7 +191,7 @@ TEST_F(CameraRay, OfALensStartsAnywhereOnItsDiskAlike) {
 }
 
 // A kernel specialised for no lens gives the very bits that one with a lens of no size gives.
-TEST_F(CameraRay, OfALensOfNoSizeIsThePinholesBitForBit) {
+TEST_F(CameraRayTest, OfALensOfNoSizeIsThePinholesBitForBit) {
     std::vector<vk::Bool32> withoutLens(shared::kFeatureCount, VK_TRUE);
     withoutLens[shared::kFeatureLens] = VK_FALSE;
     RandomNumbers random(164);

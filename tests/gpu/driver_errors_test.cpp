@@ -17,14 +17,14 @@ std::string sentenceOf(const char* call) {
     return "no GpuError";
 }
 
-TEST(DriverErrors, LostDeviceSaysWhatToDo) {
+TEST(DriverErrorsTest, LostDeviceSaysWhatToDo) {
     const std::string sentence = sentenceOf<vk::DeviceLostError>("vkWaitForFences");
     for (const char* part : {"device was lost", "vkWaitForFences", "ErrorDeviceLost",
                              "smaller --size", "another --device"})
         EXPECT_NE(sentence.find(part), std::string::npos) << sentence;
 }
 
-TEST(DriverErrors, OthersNameCallAndResult) {
+TEST(DriverErrorsTest, OthersNameCallAndResult) {
     const std::string memory = sentenceOf<vk::OutOfDeviceMemoryError>("vkAllocateMemory");
     EXPECT_NE(memory.find("out of memory (vkAllocateMemory"), std::string::npos) << memory;
     const std::string other = sentenceOf<vk::InitializationFailedError>("vkCreateDevice");

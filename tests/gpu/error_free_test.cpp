@@ -10,7 +10,7 @@
 namespace calotype::test {
 namespace {
 
-class ErrorFree : public GpuTest {
+class ErrorFreeTest : public GpuTest {
 protected:
     /// Of both signs, over eight decades.
     static std::vector<glm::vec4> someNumbers() {
@@ -25,7 +25,7 @@ protected:
     }
 };
 
-TEST_F(ErrorFree, SumsAndProductsLeaveWhatTheyRoundOff) {
+TEST_F(ErrorFreeTest, SumsAndProductsLeaveWhatTheyRoundOff) {
     const std::vector<glm::vec4> numbers = someNumbers();
     const auto errors = runKernel<glm::vec4>(kErrorFreeSpirv, numbers);
     for (size_t i = 0; i < numbers.size(); ++i) {
@@ -36,7 +36,7 @@ TEST_F(ErrorFree, SumsAndProductsLeaveWhatTheyRoundOff) {
     }
 }
 
-TEST_F(ErrorFree, DifferencesOfProductsDoNotCancel) {
+TEST_F(ErrorFreeTest, DifferencesOfProductsDoNotCancel) {
     std::vector<glm::vec4> numbers = someNumbers();
     for (size_t i = 0; i < numbers.size(); i += 2) // and some that nearly do
         numbers[i].w = numbers[i].x * numbers[i].y / numbers[i].z;

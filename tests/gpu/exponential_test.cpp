@@ -24,9 +24,9 @@ std::vector<float> numbersUpTo(double powerOfTen) {
     return numbers;
 }
 
-class Exponential : public GpuTest {};
+class ExponentialTest : public GpuTest {};
 
-TEST_F(Exponential, LogOnePlusKeepsItsDigits) {
+TEST_F(ExponentialTest, LogOnePlusKeepsItsDigits) {
     const auto numbers = numbersUpTo(12.0);
     const auto results = runKernel<glm::vec2>(kExponentialSpirv, numbers);
     double worst = 0.0;
@@ -38,7 +38,7 @@ TEST_F(Exponential, LogOnePlusKeepsItsDigits) {
     EXPECT_LT(worst, kSeriesError);
 }
 
-TEST_F(Exponential, ExpMinusOneKeepsItsDigits) {
+TEST_F(ExponentialTest, ExpMinusOneKeepsItsDigits) {
     const auto numbers = numbersUpTo(std::log10(80.0));
     const auto results = runKernel<glm::vec2>(kExponentialSpirv, numbers);
     for (size_t i = 0; i < numbers.size(); ++i) {
@@ -50,7 +50,7 @@ TEST_F(Exponential, ExpMinusOneKeepsItsDigits) {
     }
 }
 
-TEST_F(Exponential, BeginsAtZeroAndEndsAtInfinity) {
+TEST_F(ExponentialTest, BeginsAtZeroAndEndsAtInfinity) {
     const auto results = runKernel<glm::vec2>(kExponentialSpirv, std::vector<float>{0.0f, 200.0f});
     EXPECT_EQ(results[0], glm::vec2(0.0f));
     EXPECT_TRUE(std::isinf(results[1].y));

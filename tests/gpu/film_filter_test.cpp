@@ -19,7 +19,7 @@ namespace {
 constexpr uint32_t kSamples = 1 << 19;
 constexpr uint32_t kCells = 24; ///< on a side
 
-class FilmFilterSampling : public GpuTest, public testing::WithParamInterface<FilmFilter> {
+class FilmFilterSamplingTest : public GpuTest, public testing::WithParamInterface<FilmFilter> {
 protected:
     /// Offsets from the pixel's centre for points of the unit square.
     std::vector<glm::dvec2> offsets(const std::vector<glm::vec2>& points) const {
@@ -50,7 +50,7 @@ protected:
 };
 
 // In cells that all hold the same share of the filter.
-TEST_P(FilmFilterSampling, IsDistributedAsTheFilter) {
+TEST_P(FilmFilterSamplingTest, IsDistributedAsTheFilter) {
     std::vector<uint64_t> counts(kCells * kCells);
     const auto cellOf = [&](double x) {
         return std::min(static_cast<uint32_t>(oracle_.shareBelow(x) * kCells), kCells - 1);
@@ -61,7 +61,7 @@ TEST_P(FilmFilterSampling, IsDistributedAsTheFilter) {
     EXPECT_LT(chiSquare(counts, chances), chiSquareLimit(counts.size() - 1));
 }
 
-TEST_P(FilmFilterSampling, HasTheFiltersMoments) {
+TEST_P(FilmFilterSamplingTest, HasTheFiltersMoments) {
     std::vector<double> x, y, xx, yy, xy;
     for (const glm::dvec2& offset : randomOffsets()) {
         x.push_back(offset.x);
@@ -82,7 +82,7 @@ TEST_P(FilmFilterSampling, HasTheFiltersMoments) {
 }
 
 // From one end of the support to the other, never beyond, and never back.
-TEST_P(FilmFilterSampling, GoesFromEndToEnd) {
+TEST_P(FilmFilterSamplingTest, GoesFromEndToEnd) {
     std::vector<glm::vec2> points;
     for (uint32_t i = 0; i <= 1u << 16; ++i) {
         const float u = std::min(static_cast<float>(i) * 0x1p-16f, 1.0f - 0x1p-24f);
@@ -109,7 +109,7 @@ std::string filterName(FilmFilter filter) {
     return kNames[static_cast<size_t>(filter)];
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, FilmFilterSampling,
+INSTANTIATE_TEST_SUITE_P(Of, FilmFilterSamplingTest,
                          testing::Values(FilmFilter::Box, FilmFilter::Tent, FilmFilter::Gaussian,
                                          FilmFilter::BlackmanHarris),
                          [](const auto& instance) { return filterName(instance.param); });

@@ -9,9 +9,9 @@
 namespace calotype::test {
 namespace {
 
-class Frame : public GpuTest {};
+class FrameTest : public GpuTest {};
 
-TEST_F(Frame, IsARotationForEveryNormal) {
+TEST_F(FrameTest, IsARotationForEveryNormal) {
     std::vector<glm::vec4> normals;
     for (const float zero : {0.0f, -0.0f})
         for (const float one : {1.0f, -1.0f})

@@ -39,9 +39,9 @@ private:
     std::vector<uint32_t> words_;
 };
 
-class Layout : public GpuTest {};
+class LayoutTest : public GpuTest {};
 
-TEST_F(Layout, IsTheSameInHostAndKernel) {
+TEST_F(LayoutTest, IsTheSameInHostAndKernel) {
     DistinctWords distinct;
     GpuScene scene;
 #define BEGIN_BINDINGS

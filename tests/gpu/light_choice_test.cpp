@@ -9,9 +9,9 @@
 namespace calotype::test {
 namespace {
 
-class LightChoice : public GpuTest {};
+class LightChoiceTest : public GpuTest {};
 
-TEST_F(LightChoice, HappensWithTheSelectionChances) {
+TEST_F(LightChoiceTest, HappensWithTheSelectionChances) {
     // Powers over three orders of magnitude.
     std::vector<Shape> shapes;
     RandomNumbers random(35);

@@ -97,9 +97,9 @@ struct DirectionCone {
     }
 };
 
-class LightSampling : public GpuTest, public testing::WithParamInterface<LightCase> {
+class LightSamplingTest : public GpuTest, public testing::WithParamInterface<LightCase> {
 protected:
-    LightSampling() {
+    LightSamplingTest() {
         Scene scene = sceneOf({GetParam().shape});
         Material emitting;
         emitting.emission = glm::dvec3(kRadiance);
@@ -174,7 +174,7 @@ private:
     }
 };
 
-TEST_P(LightSampling, LiesOnTheLightWithOneDensity) {
+TEST_P(LightSamplingTest, LiesOnTheLightWithOneDensity) {
     double worstPdf = 0.0;
     for (const shared::TestLightSample& point : samples_) {
         ASSERT_TRUE(std::isfinite(point.pdf) && point.pdf >= 0.0f);
@@ -190,7 +190,7 @@ TEST_P(LightSampling, LiesOnTheLightWithOneDensity) {
     EXPECT_LT(worstPdf, 1e-4);
 }
 
-TEST_P(LightSampling, IntegratesToTheSolidAngle) {
+TEST_P(LightSamplingTest, IntegratesToTheSolidAngle) {
     const DirectionCone cone = coneOfSamples();
     Moments sampled;
     for (const shared::TestLightSample& point : samples_)
@@ -210,7 +210,7 @@ TEST_P(LightSampling, IntegratesToTheSolidAngle) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, LightSampling, testing::ValuesIn(lightCases()),
+INSTANTIATE_TEST_SUITE_P(Of, LightSamplingTest, testing::ValuesIn(lightCases()),
                          [](const auto& instance) { return instance.param.name; });
 
 } // namespace

@@ -102,7 +102,7 @@ void expectSame(const CellEstimates& drawn, const CellEstimates& integrated) {
     }
 }
 
-class LobeContract : public GpuTest, public testing::WithParamInterface<LobeCase> {
+class LobeContractTest : public GpuTest, public testing::WithParamInterface<LobeCase> {
 protected:
     /// Draws the lobe from the viewer at that cosine; each event's own wi is uniform on the sphere.
     void draw(double cosThetaO) {
@@ -124,7 +124,7 @@ protected:
     std::vector<shared::TestLobe> results_;
 };
 
-TEST_P(LobeContract, DrawsAsItsDensitySaysOnBothSides) {
+TEST_P(LobeContractTest, DrawsAsItsDensitySaysOnBothSides) {
     for (const double cosThetaO : kCosines) {
         SCOPED_TRACE(cosThetaO);
         draw(cosThetaO);
@@ -139,7 +139,7 @@ TEST_P(LobeContract, DrawsAsItsDensitySaysOnBothSides) {
     }
 }
 
-TEST_P(LobeContract, SendsItsValueToBothSides) {
+TEST_P(LobeContractTest, SendsItsValueToBothSides) {
     for (const double cosThetaO : kCosines) {
         SCOPED_TRACE(cosThetaO);
         draw(cosThetaO);
@@ -155,7 +155,7 @@ TEST_P(LobeContract, SendsItsValueToBothSides) {
 }
 
 // The sampler reaches whatever has a value.
-TEST_P(LobeContract, HasADensityWhereverItHasAValue) {
+TEST_P(LobeContractTest, HasADensityWhereverItHasAValue) {
     for (const double cosThetaO : kCosines) {
         draw(cosThetaO);
         for (const shared::TestLobe& result : results_) {
@@ -169,7 +169,7 @@ TEST_P(LobeContract, HasADensityWhereverItHasAValue) {
     }
 }
 
-TEST_P(LobeContract, IsEitherSpecularOrHasADensity) {
+TEST_P(LobeContractTest, IsEitherSpecularOrHasADensity) {
     for (const double cosThetaO : kCosines) {
         draw(cosThetaO);
         for (const shared::TestLobe& result : results_) {
@@ -191,7 +191,7 @@ TEST_P(LobeContract, IsEitherSpecularOrHasADensity) {
 }
 
 // Directions along the surface and straight up and down give numbers.
-TEST_P(LobeContract, IsFiniteAtTheEdgesOfBothSides) {
+TEST_P(LobeContractTest, IsFiniteAtTheEdgesOfBothSides) {
     std::vector<shared::TestScattering> events;
     for (const double cosThetaO : {1e-6, 1e-3, 1.0})
         for (const float cosThetaI : {-1.0f, -1e-3f, -1e-7f, 0.0f, 1e-7f, 1e-3f, 1.0f})
@@ -207,7 +207,7 @@ TEST_P(LobeContract, IsFiniteAtTheEdgesOfBothSides) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, LobeContract, testing::ValuesIn(lobeCases()),
+INSTANTIATE_TEST_SUITE_P(All, LobeContractTest, testing::ValuesIn(lobeCases()),
                          [](const auto& instance) { return instance.param.name; });
 
 } // namespace

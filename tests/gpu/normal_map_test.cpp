@@ -59,14 +59,14 @@ glm::dvec3 oracleMapped(const shared::TestNormalMap& surface) {
     return glm::normalize(glm::dot(mapped, ng) < 0.0 ? glm::reflect(mapped, ng) : mapped);
 }
 
-class ShadingNormal : public GpuTest {
+class ShadingNormalTest : public GpuTest {
 protected:
     std::vector<shared::TestNormals> run(const std::vector<shared::TestNormalMap>& queries) {
         return runKernel<shared::TestNormals>(kShadingNormalSpirv, queries);
     }
 };
 
-TEST_F(ShadingNormal, OfAFlatMapIsTheSurfaces) {
+TEST_F(ShadingNormalTest, OfAFlatMapIsTheSurfaces) {
     RandomNumbers random(141);
     std::vector<shared::TestNormalMap> queries;
     for (int i = 0; i < 10'000; ++i)
@@ -77,7 +77,7 @@ TEST_F(ShadingNormal, OfAFlatMapIsTheSurfaces) {
 }
 
 // Red tilts it to where u grows and no way else, green to where v grows, whatever the handedness.
-TEST_F(ShadingNormal, TiltsToWhereTheCoordinatesGrow) {
+TEST_F(ShadingNormalTest, TiltsToWhereTheCoordinatesGrow) {
     RandomNumbers random(142);
     std::vector<shared::TestNormalMap> queries;
     for (int i = 0; i < 10'000; ++i) {
@@ -102,7 +102,7 @@ TEST_F(ShadingNormal, TiltsToWhereTheCoordinatesGrow) {
     }
 }
 
-TEST_F(ShadingNormal, OfAnyMapIsTheFormatsAndUnitAndOnTheTrueSide) {
+TEST_F(ShadingNormalTest, OfAnyMapIsTheFormatsAndUnitAndOnTheTrueSide) {
     RandomNumbers random(143);
     std::vector<shared::TestNormalMap> queries;
     for (int i = 0; i < 50'000; ++i) {
@@ -120,7 +120,7 @@ TEST_F(ShadingNormal, OfAnyMapIsTheFormatsAndUnitAndOnTheTrueSide) {
     }
 }
 
-TEST_F(ShadingNormal, IsTheSurfacesWhereTheMapOrItsFrameSaysNothing) {
+TEST_F(ShadingNormalTest, IsTheSurfacesWhereTheMapOrItsFrameSaysNothing) {
     RandomNumbers random(144);
     std::vector<shared::TestNormalMap> queries;
     for (int i = 0; i < 100; ++i) {
@@ -136,7 +136,7 @@ TEST_F(ShadingNormal, IsTheSurfacesWhereTheMapOrItsFrameSaysNothing) {
 }
 
 // u along the normal, v along u, and lengths at the ends of float's range.
-TEST_F(ShadingNormal, IsUnitForDirectionsThatAreNoFrame) {
+TEST_F(ShadingNormalTest, IsUnitForDirectionsThatAreNoFrame) {
     RandomNumbers random(145);
     std::vector<shared::TestNormalMap> queries;
     for (int i = 0; i < 1000; ++i) {
@@ -158,7 +158,7 @@ TEST_F(ShadingNormal, IsUnitForDirectionsThatAreNoFrame) {
 
 // However steep the view and the normal, down to views along the surface and to mirrored viewers
 // straight beneath it. The last lose digits: what is left of them after the lift is short.
-TEST_F(ShadingNormal, IsBentUntilTheMirroredViewerIsAboveTheSurface) {
+TEST_F(ShadingNormalTest, IsBentUntilTheMirroredViewerIsAboveTheSurface) {
     RandomNumbers random(146);
     std::vector<shared::TestNormalMap> queries;
     for (int i = 0; i < 200'000; ++i) {

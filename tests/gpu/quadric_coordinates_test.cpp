@@ -45,7 +45,7 @@ std::vector<shared::TestRay> raysOnto(const std::vector<shared::Quadric>& quadri
     return rays;
 }
 
-class QuadricCoordinates : public GpuTest, public testing::WithParamInterface<uint32_t> {
+class QuadricCoordinatesTest : public GpuTest, public testing::WithParamInterface<uint32_t> {
 protected:
     /// Calls check(quadric, isOnFlatFace, hit, point, error) for every hit that clearly lies on one
     /// face: `point` is the hit in the quadric's frame, `error` bounds how far off it may be: 16
@@ -73,7 +73,7 @@ protected:
     }
 };
 
-TEST_P(QuadricCoordinates, AreTheFormats) {
+TEST_P(QuadricCoordinatesTest, AreTheFormats) {
     forEachHit([](const shared::Quadric& quadric, bool isFlat, const shared::TestCoordinates& hit,
                   const glm::dvec3& point, double error) {
         const glm::dvec2 wanted = oracleCoordinates(quadric, isFlat, point);
@@ -92,7 +92,7 @@ TEST_P(QuadricCoordinates, AreTheFormats) {
     });
 }
 
-TEST_P(QuadricCoordinates, GrowAlongTheirDirections) {
+TEST_P(QuadricCoordinatesTest, GrowAlongTheirDirections) {
     forEachHit([](const shared::Quadric& quadric, bool isFlat, const shared::TestCoordinates& hit,
                   const glm::dvec3& point, double error) {
         const double radius = std::hypot(point.x, point.z);
@@ -112,7 +112,7 @@ TEST_P(QuadricCoordinates, GrowAlongTheirDirections) {
     });
 }
 
-TEST_P(QuadricCoordinates, GrowAlongTheSurface) {
+TEST_P(QuadricCoordinatesTest, GrowAlongTheSurface) {
     forEachHit([](const shared::Quadric& quadric, bool isFlat, const shared::TestCoordinates& hit,
                   const glm::dvec3& point, double error) {
         const double radius = std::hypot(point.x, point.z);
@@ -135,7 +135,7 @@ TEST_P(QuadricCoordinates, GrowAlongTheSurface) {
 }
 
 // Where u has no direction the answers are numbers all the same.
-TEST_P(QuadricCoordinates, AreFiniteOnTheAxis) {
+TEST_P(QuadricCoordinatesTest, AreFiniteOnTheAxis) {
     std::vector<shared::Quadric> quadrics;
     for (const float extent : {1.5f, -1.5f}) {
         shared::Quadric quadric{};
@@ -160,7 +160,7 @@ TEST_P(QuadricCoordinates, AreFiniteOnTheAxis) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, QuadricCoordinates, testing::ValuesIn(kAllQuadricKinds),
+INSTANTIATE_TEST_SUITE_P(Of, QuadricCoordinatesTest, testing::ValuesIn(kAllQuadricKinds),
                          [](const auto& instance) { return nameOf(instance.param); });
 
 } // namespace

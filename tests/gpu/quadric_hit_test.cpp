@@ -8,10 +8,10 @@
 namespace calotype::test {
 namespace {
 
-class QuadricHit : public GpuTest,
-                   public testing::WithParamInterface<std::tuple<uint32_t, RayKind>> {};
+class QuadricHitTest : public GpuTest,
+                       public testing::WithParamInterface<std::tuple<uint32_t, RayKind>> {};
 
-TEST_P(QuadricHit, IsThatOfASurfaceWithinRounding) {
+TEST_P(QuadricHitTest, IsThatOfASurfaceWithinRounding) {
     const auto [kind, rayKind] = GetParam();
     constexpr uint32_t kRaysPerQuadric = 1000;
     RandomNumbers random(1000 * kind + static_cast<uint32_t>(rayKind));
@@ -37,7 +37,7 @@ TEST_P(QuadricHit, IsThatOfASurfaceWithinRounding) {
         EXPECT_LE(errors.disagreements, 2u);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, QuadricHit,
+INSTANTIATE_TEST_SUITE_P(All, QuadricHitTest,
                          testing::Combine(testing::ValuesIn(kAllQuadricKinds),
                                           testing::ValuesIn(kAllRayKinds)),
                          [](const auto& instance) {

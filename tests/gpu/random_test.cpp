@@ -33,7 +33,7 @@ glm::uvec4 transcribedPcg4d(glm::uvec4 v) {
     return v;
 }
 
-class Random : public GpuTest {
+class RandomTest : public GpuTest {
 protected:
     /// Counts of kCells^2 cells of pairs of numbers.
     static constexpr uint32_t kCells = 16;
@@ -48,7 +48,7 @@ protected:
     }
 };
 
-TEST_F(Random, HashIsThePublishedOne) {
+TEST_F(RandomTest, HashIsThePublishedOne) {
     RandomNumbers random(1);
     std::vector<glm::uvec4> words = {glm::uvec4(0), glm::uvec4(kAllOnes), {1, 2, 3, 4}};
     for (int i = 0; i < 1000; ++i)
@@ -58,14 +58,14 @@ TEST_F(Random, HashIsThePublishedOne) {
         EXPECT_EQ(results[i].hash, transcribedPcg4d(words[i]));
 }
 
-TEST_F(Random, UnitFloatsStayBelowOne) {
+TEST_F(RandomTest, UnitFloatsStayBelowOne) {
     const auto results = randoms({glm::uvec4(kAllOnes), glm::uvec4(0xFF), glm::uvec4(0x100)});
     EXPECT_EQ(results[0].units, glm::vec4(1.0f - 0x1p-24f));
     EXPECT_EQ(results[1].units, glm::vec4(0.0f));
     EXPECT_EQ(results[2].units, glm::vec4(0x1p-24f));
 }
 
-TEST_F(Random, NumbersAreUniformAndPairwiseIndependent) {
+TEST_F(RandomTest, NumbersAreUniformAndPairwiseIndependent) {
     // As a render draws them: neighbouring pixels, samples and dimensions.
     constexpr uint32_t kSamples = 1 << 18;
     std::vector<glm::uvec4> words;
@@ -99,7 +99,7 @@ TEST_F(Random, NumbersAreUniformAndPairwiseIndependent) {
     }
 }
 
-TEST_F(Random, NoDimensionIsUsedTwice) {
+TEST_F(RandomTest, NoDimensionIsUsedTwice) {
     constexpr uint32_t kBounces = 1000;
     std::vector<glm::uvec4> words;
     for (uint32_t bounce = 0; bounce < kBounces; ++bounce)
@@ -116,7 +116,7 @@ TEST_F(Random, NoDimensionIsUsedTwice) {
 }
 
 // The device multiplies by Pascal's triangle in five steps; the reference adds direction numbers.
-TEST_F(Random, SobolPointsAreTheReferences) {
+TEST_F(RandomTest, SobolPointsAreTheReferences) {
     RandomNumbers random(9);
     std::vector<glm::uvec4> words;
     for (int i = 0; i < 4000; ++i) {

@@ -104,9 +104,9 @@ struct Mistakes {
 
 using Parameter = std::tuple<uint32_t, bool>;
 
-class Reintersection : public GpuTest, public testing::WithParamInterface<Parameter> {};
+class ReintersectionTest : public GpuTest, public testing::WithParamInterface<Parameter> {};
 
-TEST_P(Reintersection, HappensAtTheFarSideOnly) {
+TEST_P(ReintersectionTest, HappensAtTheFarSideOnly) {
     const auto [kind, atEdges] = GetParam();
     RandomNumbers random(kind);
     const std::vector<shared::Quadric> quadrics = variedQuadrics(kind, random);
@@ -146,7 +146,7 @@ TEST_P(Reintersection, HappensAtTheFarSideOnly) {
     EXPECT_TRUE(atEdges || mistakes.wrongSide == 0) << mistakes.wrongSide;
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, Reintersection,
+INSTANTIATE_TEST_SUITE_P(Of, ReintersectionTest,
                          testing::Combine(testing::ValuesIn(kAllQuadricKinds), testing::Bool()),
                          [](const auto& instance) {
                              return nameOf(std::get<0>(instance.param)) +

@@ -56,7 +56,7 @@ std::vector<shared::TestRay> shadowRays(const WallPoints& points) {
     return rays;
 }
 
-class ShadowRay : public GpuTest {
+class ShadowRayTest : public GpuTest {
 protected:
     static uint32_t blockedIn(const Mesh& room, double innerRadius) {
         const PrimitiveScene scene(packAsProgram(sceneOf({shapeOf(room)})).packed);
@@ -68,13 +68,13 @@ protected:
     }
 };
 
-TEST_F(ShadowRay, IsNotBlockedInAConvexRoom) {
+TEST_F(ShadowRayTest, IsNotBlockedInAConvexRoom) {
     for (const double radius : {1e-3, 1.0, 1e3})
         EXPECT_EQ(blockedIn(icosphere(4, glm::dvec3(0.0), radius), 0.5 * radius), 0u) << radius;
     EXPECT_EQ(blockedIn(cubeMesh(4), 0.5), 0u); // neighbours in one plane
 }
 
-TEST_F(ShadowRay, IsBlockedByWhatLiesBetween) {
+TEST_F(ShadowRayTest, IsBlockedByWhatLiesBetween) {
     // The obstacle stands off the middle, so that most ends of the rays lie on the room.
     const Shape room = shapeOf(Sphere{{}, 3.0});
     const Shape obstacle = shapeOf(Sphere{{glm::dmat3(1.0), {2.0, 0.0, 0.0}}, 0.5});

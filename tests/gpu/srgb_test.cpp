@@ -11,9 +11,9 @@ namespace {
 /// That linearFromSrgb states.
 constexpr double kDecodingError = 1.2e-6;
 
-class LinearFromSrgb : public GpuTest {};
+class LinearFromSrgbTest : public GpuTest {};
 
-TEST_F(LinearFromSrgb, IsTheStandardsForEveryByteAndBetween) {
+TEST_F(LinearFromSrgbTest, IsTheStandardsForEveryByteAndBetween) {
     std::vector<float> encoded;
     for (int byte = 0; byte < 256; ++byte)
         encoded.push_back(static_cast<float>(byte) / 255.0f);

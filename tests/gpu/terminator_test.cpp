@@ -79,7 +79,7 @@ std::vector<SmoothTriangle> sphereTriangles(uint32_t level, double radius) {
     return triangles;
 }
 
-class TerminatorOffset : public GpuTest {
+class TerminatorOffsetTest : public GpuTest {
 protected:
     std::vector<glm::dvec3> run(const std::vector<shared::TestSmoothPoint>& points) {
         std::vector<glm::dvec3> offsets;
@@ -90,7 +90,7 @@ protected:
 };
 
 // But for the rounding of the point, which may put it a little beneath its plane.
-TEST_F(TerminatorOffset, IsZeroWhereTheSurfaceIsFlatOrConcave) {
+TEST_F(TerminatorOffsetTest, IsZeroWhereTheSurfaceIsFlatOrConcave) {
     RandomNumbers random(171);
     std::vector<shared::TestSmoothPoint> points;
     std::vector<double> reaches;
@@ -107,7 +107,7 @@ TEST_F(TerminatorOffset, IsZeroWhereTheSurfaceIsFlatOrConcave) {
         ASSERT_LT(glm::length(offsets[i]), 4.0 * kRoundoffOfFloat * reaches[i]);
 }
 
-TEST_F(TerminatorOffset, IsZeroAtTheCornersAndTowardsTheLightBetween) {
+TEST_F(TerminatorOffsetTest, IsZeroAtTheCornersAndTowardsTheLightBetween) {
     RandomNumbers random(172);
     std::vector<shared::TestSmoothPoint> points;
     std::vector<glm::dvec3> normals;
@@ -133,7 +133,7 @@ TEST_F(TerminatorOffset, IsZeroAtTheCornersAndTowardsTheLightBetween) {
 // where W is the mean of s_i^2, w that of s_i n_i, s_i the sum of b_j e_ij^2, and 2 Q the mean of
 // s_i. As |w|^2 <= W <= 2 Q max s_i, and edges are shorter than r, it lies outside the sphere, but
 // no further in squares than p lies inside.
-TEST_F(TerminatorOffset, BringsThePointOntoTheOutsideOfASphere) {
+TEST_F(TerminatorOffsetTest, BringsThePointOntoTheOutsideOfASphere) {
     RandomNumbers random(173);
     for (const double radius : {1e-3, 1.0, 50.0})
         for (const uint32_t level : {1u, 2u, 3u}) {
@@ -152,7 +152,7 @@ TEST_F(TerminatorOffset, BringsThePointOntoTheOutsideOfASphere) {
         }
 }
 
-TEST_F(TerminatorOffset, IsZeroOnATriangleWithoutNormalsAndFiniteOnOneWithoutArea) {
+TEST_F(TerminatorOffsetTest, IsZeroOnATriangleWithoutNormalsAndFiniteOnOneWithoutArea) {
     RandomNumbers random(174);
     std::vector<shared::TestSmoothPoint> points;
     for (int i = 0; i < 1000; ++i) {

@@ -93,7 +93,7 @@ double coordinate(uint32_t n, RandomNumbers& random) {
     }
 }
 
-class TextureOracle : public GpuTest {
+class TextureOracleTest : public GpuTest {
 protected:
     /// Reads each texture at coordinates of the test's choice, `count` times, decoded or not. What
     /// is known of a position to less than a quarter of a texel only is left out.
@@ -126,12 +126,12 @@ glm::vec2 nearTheImage(const Texture& texture, RandomNumbers& random) {
     return {coordinate(image.width, random), coordinate(image.height, random)};
 }
 
-TEST_F(TextureOracle, AgreesNearTheImage) {
+TEST_F(TextureOracleTest, AgreesNearTheImage) {
     RandomNumbers random(102);
     expectAsOracle(PackedTextures(variedTextures(variedForms(), random)), 500, nearTheImage);
 }
 
-TEST_F(TextureOracle, AgreesFarFromTheImage) {
+TEST_F(TextureOracleTest, AgreesFarFromTheImage) {
     RandomNumbers random(103);
     expectAsOracle(PackedTextures(variedTextures(variedForms(), random)), 300,
                    [](const Texture&, RandomNumbers& numbers) {
@@ -141,7 +141,7 @@ TEST_F(TextureOracle, AgreesFarFromTheImage) {
                    });
 }
 
-TEST_F(TextureOracle, AppliesScaleAndOffset) {
+TEST_F(TextureOracleTest, AppliesScaleAndOffset) {
     RandomNumbers random(104);
     auto textures = variedTextures({{5, 3, true, true}, {16, 16, false, false}}, random);
     for (Texture& texture : textures) {
@@ -156,7 +156,7 @@ TEST_F(TextureOracle, AppliesScaleAndOffset) {
     });
 }
 
-TEST_F(TextureOracle, AlternatesTheColorsOfACheckerOnBothSidesOfZero) {
+TEST_F(TextureOracleTest, AlternatesTheColorsOfACheckerOnBothSidesOfZero) {
     RandomNumbers random(106);
     std::vector<Texture> textures;
     for (const glm::dvec2& scale : {glm::dvec2(1.0), glm::dvec2(8.0, 4.0), glm::dvec2(-3.0, 0.5)}) {

@@ -8,10 +8,10 @@
 namespace calotype::test {
 namespace {
 
-class TextureTexel : public GpuTest {};
+class TextureTexelTest : public GpuTest {};
 
 // Sizes whose texel centres float holds: no weight of a neighbour comes in.
-TEST_F(TextureTexel, IsTheTexelItselfAtItsCentre) {
+TEST_F(TextureTexelTest, IsTheTexelItselfAtItsCentre) {
     RandomNumbers random(105);
     const PackedTextures packed(variedTextures({{1, 1, true, false},
                                                 {16, 16, true, false},
@@ -38,7 +38,7 @@ TEST_F(TextureTexel, IsTheTexelItselfAtItsCentre) {
     }
 }
 
-TEST_F(TextureTexel, DecodesNeitherAlphaNorWhatIsNoColor) {
+TEST_F(TextureTexelTest, DecodesNeitherAlphaNorWhatIsNoColor) {
     TexelImage image;
     image.width = image.height = 1;
     image.isEncoded = true;
@@ -59,7 +59,7 @@ TEST_F(TextureTexel, DecodesNeitherAlphaNorWhatIsNoColor) {
     }
 }
 
-TEST_F(TextureTexel, KeepsEachImageOnce) {
+TEST_F(TextureTexelTest, KeepsEachImageOnce) {
     RandomNumbers random(107);
     const PackedTextures packed(variedTextures({{5, 3, true, true}, {1, 7, false, false}}, random));
     EXPECT_EQ(packed.textures().size(), 12u);
@@ -68,7 +68,7 @@ TEST_F(TextureTexel, KeepsEachImageOnce) {
 
 // What a file may say: coordinates beyond all reason are some texel, or not a number; never a read
 // outside the image.
-TEST_F(TextureTexel, SurvivesCoordinatesWithoutBound) {
+TEST_F(TextureTexelTest, SurvivesCoordinatesWithoutBound) {
     RandomNumbers random(108);
     const PackedTextures packed(
         variedTextures({{5, 3, true, true}, {16, 16, false, false}}, random));

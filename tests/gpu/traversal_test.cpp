@@ -146,9 +146,9 @@ std::vector<shared::TestRay> makeRays(uint32_t count, RandomNumbers& random) {
     return rays;
 }
 
-class Traversal : public GpuTest, public testing::WithParamInterface<Crowd> {};
+class TraversalTest : public GpuTest, public testing::WithParamInterface<Crowd> {};
 
-TEST_P(Traversal, FindsWhatBruteForceFinds) {
+TEST_P(TraversalTest, FindsWhatBruteForceFinds) {
     constexpr uint32_t kTests = 3'000'000; // of primitives against rays
     RandomNumbers random(41);
     const Scene scene = sceneOf(makeCrowd(GetParam(), random));
@@ -184,7 +184,7 @@ TEST_P(Traversal, FindsWhatBruteForceFinds) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, Traversal,
+INSTANTIATE_TEST_SUITE_P(Of, TraversalTest,
                          testing::Values(Crowd{"One", 1, Arrangement::Scattered},
                                          Crowd{"Two", 2, Arrangement::Scattered},
                                          Crowd{"Five", 5, Arrangement::Scattered},
@@ -194,9 +194,9 @@ INSTANTIATE_TEST_SUITE_P(Of, Traversal,
                                          Crowd{"Coincident", 300, Arrangement::Coincident}),
                          [](const auto& instance) { return instance.param.name; });
 
-class TraversalCost : public GpuTest {};
+class TraversalCostTest : public GpuTest {};
 
-TEST_F(TraversalCost, OfAxisAlignedRaysStaysLow) {
+TEST_F(TraversalCostTest, OfAxisAlignedRaysStaysLow) {
     // 98,304 triangles in six flat sides, all boxes flat: rays with exact zeros in their direction,
     // at the edges of boxes as well as between them. The tree is 15 deep.
     const PrimitiveScene scene(packAsProgram(sceneOf({shapeOf(cubeMesh(128))})).packed);

@@ -78,9 +78,9 @@ private:
     glm::dvec2 along2_;
 };
 
-class TriangleCoordinates : public GpuTest {};
+class TriangleCoordinatesTest : public GpuTest {};
 
-TEST_F(TriangleCoordinates, AreInterpolatedAndGrowAlongTheirDirectionsMirroredOrNot) {
+TEST_F(TriangleCoordinatesTest, AreInterpolatedAndGrowAlongTheirDirectionsMirroredOrNot) {
     RandomNumbers random(112);
     TexturedTriangles scene;
     std::vector<shared::TestRay> rays;
@@ -113,7 +113,7 @@ TEST_F(TriangleCoordinates, AreInterpolatedAndGrowAlongTheirDirectionsMirroredOr
     EXPECT_GT(std::min(checked[0], checked[1]), 2000);
 }
 
-TEST_F(TriangleCoordinates, AreFiniteWhereTheyDegenerate) {
+TEST_F(TriangleCoordinatesTest, AreFiniteWhereTheyDegenerate) {
     RandomNumbers random(113);
     TexturedTriangles scene;
     std::vector<shared::TestRay> rays;

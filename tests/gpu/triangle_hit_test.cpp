@@ -97,9 +97,9 @@ struct Sizes {
     double thinnessPowers[2]; ///< height over base
 };
 
-class TriangleHits : public GpuTest, public testing::WithParamInterface<Sizes> {};
+class TriangleHitsTest : public GpuTest, public testing::WithParamInterface<Sizes> {};
 
-TEST_P(TriangleHits, AreExactWithinRounding) {
+TEST_P(TriangleHitsTest, AreExactWithinRounding) {
     constexpr uint32_t kCases = 100'000;
     RandomNumbers random(7);
     std::vector<TriangleCase> cases;
@@ -127,7 +127,7 @@ TEST_P(TriangleHits, AreExactWithinRounding) {
     EXPECT_LE(errors.positionShare, 1.0L);
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, TriangleHits,
+INSTANTIATE_TEST_SUITE_P(Of, TriangleHitsTest,
                          testing::Values(Sizes{"UsualSize", {-1.0, 0.5}, {-0.5, 0.0}},
                                          Sizes{"SmallSize", {-4.0, -1.0}, {-0.5, 0.0}},
                                          Sizes{"MillionthSize", {-6.0, -4.0}, {-0.5, 0.0}},
@@ -135,11 +135,11 @@ INSTANTIATE_TEST_SUITE_P(Of, TriangleHits,
                                          Sizes{"NeedleShape", {-1.0, 0.5}, {-5.0, -2.0}}),
                          [](const auto& instance) { return instance.param.name; });
 
-class TriangleBarycentrics : public GpuTest {};
+class TriangleBarycentricsTest : public GpuTest {};
 
 // Such a projection has no area. The point of the longest edge that is nearest to the ray has
 // weights of that edge's two corners, whichever two of the three these are.
-TEST_F(TriangleBarycentrics, OfTrianglesSeenEdgeOnAreThoseOfTheLongestEdge) {
+TEST_F(TriangleBarycentricsTest, OfTrianglesSeenEdgeOnAreThoseOfTheLongestEdge) {
     const glm::vec3 corners[] = {{0, -1, 5}, {0, 3, 5}, {0, 0.5f, 6}}; // in the plane of the ray
     const double weights[] = {0.75, 0.25, 0.0}; // of y = 0 on the edge from y = -1 to y = 3
     std::vector<glm::uvec3> orders;

@@ -9,9 +9,9 @@
 namespace calotype::test {
 namespace {
 
-class SinCosTwoPi : public GpuTest {};
+class SinCosTwoPiTest : public GpuTest {};
 
-TEST_F(SinCosTwoPi, ErrsByLessThanItStates) {
+TEST_F(SinCosTwoPiTest, ErrsByLessThanItStates) {
     // One number in 16 of all that unitFloats can give, with both ends.
     std::vector<float> turns;
     for (uint32_t i = 0; i <= 1u << 20; ++i)
@@ -29,7 +29,7 @@ TEST_F(SinCosTwoPi, ErrsByLessThanItStates) {
     EXPECT_LT(worst, 1.2e-7);
 }
 
-TEST_F(SinCosTwoPi, IsExactAtQuarterTurns) {
+TEST_F(SinCosTwoPiTest, IsExactAtQuarterTurns) {
     const auto results =
         runKernel<glm::vec2>(kSinCosTwoPiSpirv, std::vector<float>{0.0f, 0.25f, 0.5f, 0.75f, 1.0f});
     const std::vector<glm::vec2> expected = {{0, 1}, {1, 0}, {0, -1}, {-1, 0}, {0, 1}};

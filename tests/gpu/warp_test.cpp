@@ -62,9 +62,9 @@ double angleShare(double x, double y) { return 0.5 + std::atan2(y, x) / (2.0 * s
 /// Chance of the ring [i, i + 1) / kRings of a variable with the distribution function x^2.
 double squareChance(uint32_t ring) { return (2.0 * ring + 1.0) / (double(kRings) * kRings); }
 
-class Warp : public GpuTest {};
+class WarpTest : public GpuTest {};
 
-TEST_F(Warp, ToDiskIsUniform) {
+TEST_F(WarpTest, ToDiskIsUniform) {
     expectSpread(
         warped(randomPoints()),
         [](const auto& w) { return std::hypot(w.diskAndTriangle.x, w.diskAndTriangle.y); },
@@ -72,7 +72,7 @@ TEST_F(Warp, ToDiskIsUniform) {
         squareChance);
 }
 
-TEST_F(Warp, ToTriangleIsUniform) {
+TEST_F(WarpTest, ToTriangleIsUniform) {
     // Cells that are exact in the weights: s = b1 + b2 has the distribution s^2, b2 / s is uniform.
     expectSpread(
         warped(randomPoints()),
@@ -83,13 +83,13 @@ TEST_F(Warp, ToTriangleIsUniform) {
         squareChance);
 }
 
-TEST_F(Warp, ToHemisphereIsByTheCosine) {
+TEST_F(WarpTest, ToHemisphereIsByTheCosine) {
     expectSpread(
         warped(randomPoints()), [](const auto& w) { return w.hemisphere.z; },
         [](const auto& w) { return angleShare(w.hemisphere.x, w.hemisphere.y); }, squareChance);
 }
 
-TEST_F(Warp, StaysInItsDomainAtTheEnds) {
+TEST_F(WarpTest, StaysInItsDomainAtTheEnds) {
     for (const shared::TestWarp& warp : warpedEnds()) {
         const glm::dvec4 w(warp.diskAndTriangle);
         EXPECT_LE(std::hypot(w.x, w.y), 1.0);

@@ -27,7 +27,7 @@ uint32_t countEscapes(const PrimitiveScene& scene, const std::vector<shared::Tes
     return escapes;
 }
 
-class ClosedMesh : public GpuTest {
+class ClosedMeshTest : public GpuTest {
 protected:
     /// Escapes of `batches` batches of rays from inside the ball of `innerRadius`.
     static uint32_t escapesFrom(const Mesh& mesh, double innerRadius, uint32_t batches) {
@@ -50,19 +50,19 @@ protected:
     }
 };
 
-TEST_F(ClosedMesh, OfSharedCornersLetsNoRayOut) {
+TEST_F(ClosedMeshTest, OfSharedCornersLetsNoRayOut) {
     EXPECT_EQ(escapesFrom(icosphere(5, glm::dvec3(0.0), 1.0), 0.9, 6), 0u);
 }
 
-TEST_F(ClosedMesh, OfThousandthSizedTrianglesLetsNoRayOut) {
+TEST_F(ClosedMeshTest, OfThousandthSizedTrianglesLetsNoRayOut) {
     EXPECT_EQ(escapesFrom(icosphere(8, glm::dvec3(0.0), 1.0), 0.9, 1), 0u);
 }
 
-TEST_F(ClosedMesh, WithFlatAxisAlignedBoxesLetsNoRayOut) {
+TEST_F(ClosedMeshTest, WithFlatAxisAlignedBoxesLetsNoRayOut) {
     EXPECT_EQ(escapesFrom(cubeMesh(24), 0.9, 4), 0u);
 }
 
-TEST_F(ClosedMesh, LetsNoAxisAlignedRayOutAlongItsEdges) {
+TEST_F(ClosedMeshTest, LetsNoAxisAlignedRayOutAlongItsEdges) {
     const Mesh cube = cubeMesh(32);
     const PrimitiveScene scene(packAsProgram(sceneOf({shapeOf(cube)})).packed);
     std::vector<shared::TestRay> rays;

@@ -10,7 +10,7 @@
 namespace calotype::test {
 namespace {
 
-TEST(FeatureCases, CoverEveryFeature) {
+TEST(FeatureCasesTest, CoverEveryFeature) {
     std::set<uint32_t> covered;
     for (const FeatureCase& featureCase : featureCases())
         covered.insert(featureCase.feature);

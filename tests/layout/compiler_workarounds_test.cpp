@@ -1,6 +1,7 @@
 // Compilers drop or change what the code says in some places, and the code works around that. Each
 // workaround has a test that fails without it. The other ones:
-// -fno-tree-slp-vectorize (CMakeLists.txt): PackScene.SpheresKeepWhatRoundingTakesFromTheirCentres.
+// -fno-tree-slp-vectorize (CMakeLists.txt):
+// PackSceneTest.SpheresKeepWhatRoundingTakesFromTheirCentres.
 #include <array>
 #include <cstdio>
 #include <stdexcept>
@@ -28,7 +29,7 @@ std::string outputOf(const std::string& command) {
 
 // GCC 12 drops a function that does nothing but prefetch, unless it is inlined: pack/gpu_scene.cpp
 // forces that. Without its prefetches, packing waits for memory half of its time.
-TEST(CompilerWorkarounds, PackingKeepsItsPrefetches) {
+TEST(CompilerWorkaroundsTest, PackingKeepsItsPrefetches) {
     const std::string count = outputOf(std::string("objdump -d --no-show-raw-insn '") + kProgram +
                                        "' | grep -cE '\\b(prefetch|prfm)'");
     EXPECT_GE(std::stoi(count), 2) << "primitives and triangles";

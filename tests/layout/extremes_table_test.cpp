@@ -53,7 +53,7 @@ bool isNamedBy(const std::string& test, const std::string& pattern) {
     return std::regex_search(test, std::regex(pattern));
 }
 
-TEST(ExtremesTable, EveryRowNamesATest) {
+TEST(ExtremesTableTest, EveryRowNamesATest) {
     std::vector<std::string> tests = testsIn("extremes");
     std::ranges::copy(testsIn("gpu"), std::back_inserter(tests));
     EXPECT_GT(rowPatterns().size(), 40u);
@@ -63,7 +63,7 @@ TEST(ExtremesTable, EveryRowNamesATest) {
         })) << pattern;
 }
 
-TEST(ExtremesTable, EveryTestHasARow) {
+TEST(ExtremesTableTest, EveryTestHasARow) {
     const std::vector<std::string> patterns = rowPatterns();
     EXPECT_GT(testsIn("extremes").size(), 40u);
     for (const std::string& test : testsIn("extremes"))

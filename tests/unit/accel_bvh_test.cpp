@@ -61,13 +61,13 @@ const std::vector<Input>& inputs() {
     return all;
 }
 
-class BuiltTree : public testing::TestWithParam<std::tuple<BvhBuilder, size_t>> {
+class BuiltTreeTest : public testing::TestWithParam<std::tuple<BvhBuilder, size_t>> {
 protected:
     const std::vector<Primitive>& primitives_ = inputs()[std::get<1>(GetParam())].primitives;
     BvhBuilder builder_ = std::get<0>(GetParam());
 };
 
-TEST_P(BuiltTree, HasNoDefectAndIsAsShallowAsPromised) {
+TEST_P(BuiltTreeTest, HasNoDefectAndIsAsShallowAsPromised) {
     const Bvh bvh = buildBvh(primitives_, builder_);
     EXPECT_EQ(findBvhDefect(bvh, primitives_), std::nullopt);
     EXPECT_LE(bvh.depth, shared::kMaxBvhDepth);
@@ -76,7 +76,7 @@ TEST_P(BuiltTree, HasNoDefectAndIsAsShallowAsPromised) {
     EXPECT_LE(statistics.nodes, 1 + primitives_.size() / 2);
 }
 
-TEST_P(BuiltTree, IsTheSameOnAnyNumberOfThreads) {
+TEST_P(BuiltTreeTest, IsTheSameOnAnyNumberOfThreads) {
     BuildOptions one;
     one.threads = 1;
     BuildOptions several;
@@ -92,7 +92,7 @@ TEST_P(BuiltTree, IsTheSameOnAnyNumberOfThreads) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, BuiltTree,
+INSTANTIATE_TEST_SUITE_P(Of, BuiltTreeTest,
                          testing::Combine(testing::Values(BvhBuilder::Median, BvhBuilder::Sah),
                                           testing::Range(size_t{0}, inputs().size())),
                          [](const auto& instance) {
@@ -102,7 +102,7 @@ INSTANTIATE_TEST_SUITE_P(Of, BuiltTree,
                                     (isMedian ? "ByMedian" : "BySah");
                          });
 
-TEST(BuildBvh, BySahVisitsLessThanByMedian) {
+TEST(BuildBvhTest, BySahVisitsLessThanByMedian) {
     // A wall of small boxes and one floor below all of them.
     std::vector<Primitive> primitives = randomBoxes(5000);
     primitives.push_back(boxAt({-9, -2, -9}, {18, 0, 18}));
@@ -113,7 +113,7 @@ TEST(BuildBvh, BySahVisitsLessThanByMedian) {
     EXPECT_LT(visits(BvhBuilder::Sah), 0.8 * visits(BvhBuilder::Median));
 }
 
-TEST(BuildBvh, HearsOfProgressAndCanBeEnded) {
+TEST(BuildBvhTest, HearsOfProgressAndCanBeEnded) {
     const std::vector<Primitive> primitives = randomBoxes(200'000);
     BuildOptions options;
     double last = 0.0;
@@ -163,7 +163,7 @@ private:
     const BinaryTree& tree_;
 };
 
-TEST(Collapse, CostsTheLeastThatItCan) {
+TEST(CollapseTest, CostsTheLeastThatItCan) {
     for (const uint32_t count : {2u, 5u, 9u, 14u}) {
         std::vector<Primitive> primitives = randomBoxes(count);
         for (Primitive& primitive : primitives)
@@ -201,7 +201,7 @@ struct SmallTree {
     }
 };
 
-TEST(BvhStatistics, CountAHandMadeTree) {
+TEST(BvhStatisticsTest, CountAHandMadeTree) {
     const BvhStatistics statistics = bvhStatistics(SmallTree().bvh);
     EXPECT_EQ(statistics.nodes, 2u);
     EXPECT_EQ(statistics.leaves, 3u);
@@ -214,7 +214,7 @@ TEST(BvhStatistics, CountAHandMadeTree) {
     EXPECT_EQ(bvhStatistics({}).nodes, 0u);
 }
 
-TEST(BvhStatistics, CountQuadricsApart) {
+TEST(BvhStatisticsTest, CountQuadricsApart) {
     Bvh bvh = SmallTree().bvh;
     bvh.nodes[1].slots[7].kind = Bvh::SlotKind::Quadrics;
     EXPECT_DOUBLE_EQ(bvhStatistics(bvh).quadricsVisited, 3.0 / 9.0);
@@ -228,9 +228,9 @@ struct Defect {
     std::function<void(SmallTree&)> plant;
 };
 
-class PlantedDefect : public testing::TestWithParam<Defect> {};
+class PlantedDefectTest : public testing::TestWithParam<Defect> {};
 
-TEST_P(PlantedDefect, IsFound) {
+TEST_P(PlantedDefectTest, IsFound) {
     SmallTree tree;
     ASSERT_EQ(findBvhDefect(tree.bvh, tree.primitives), std::nullopt);
     GetParam().plant(tree);
@@ -240,7 +240,7 @@ TEST_P(PlantedDefect, IsFound) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Of, PlantedDefect,
+    Of, PlantedDefectTest,
     testing::Values(
         Defect{"FewerPrimitives", "as many", [](SmallTree& tree) { tree.bvh.order.pop_back(); }},
         Defect{"NoNodes", "no nodes", [](SmallTree& tree) { tree.bvh.nodes.clear(); }},
@@ -282,7 +282,7 @@ INSTANTIATE_TEST_SUITE_P(
         Defect{"WrongDepth", "depth", [](SmallTree& tree) { tree.bvh.depth = 2; }}),
     [](const auto& instance) { return instance.param.name; });
 
-TEST(QuickestBuilder, IsMedianForFewPathsOnly) {
+TEST(QuickestBuilderTest, IsMedianForFewPathsOnly) {
     EXPECT_EQ(quickestBuilder(786'000, 512 * 512), BvhBuilder::Median);
     EXPECT_EQ(quickestBuilder(786'000, 512 * 512 * 4), BvhBuilder::Sah);
     EXPECT_EQ(quickestBuilder(12, 64 * 64), BvhBuilder::Sah);

@@ -48,9 +48,9 @@ glm::dvec3 farthestPoint(const shared::Quadric& quadric, const glm::dvec3& w) {
     return glm::dot(w, fromApex) > 0.0 ? center + fromApex : center;
 }
 
-class QuadricBounds : public testing::TestWithParam<uint32_t> {};
+class QuadricBoundsTest : public testing::TestWithParam<uint32_t> {};
 
-TEST_P(QuadricBounds, HoldThePackedSurfaceAndLittleMore) {
+TEST_P(QuadricBoundsTest, HoldThePackedSurfaceAndLittleMore) {
     RandomNumbers random(61 + GetParam());
     for (int i = 0; i < 300; ++i) {
         const Scene scene = sceneOf({randomQuadric(GetParam(), random)});
@@ -81,10 +81,10 @@ TEST_P(QuadricBounds, HoldThePackedSurfaceAndLittleMore) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, QuadricBounds, testing::ValuesIn(kAllQuadricKinds),
+INSTANTIATE_TEST_SUITE_P(Of, QuadricBoundsTest, testing::ValuesIn(kAllQuadricKinds),
                          [](const auto& instance) { return nameOf(instance.param); });
 
-TEST(Primitives, ComeInTheOrderOfTheScene) {
+TEST(PrimitivesTest, ComeInTheOrderOfTheScene) {
     const Scene scene =
         sceneOf({shapeOf(Sphere{}), shapeOf(icosphere(0, glm::dvec3(0.0), 1.0)), shapeOf(Disk{})});
     const std::vector<Primitive> primitives = collectPrimitives(scene, glm::dvec3(0.0));
@@ -96,7 +96,7 @@ TEST(Primitives, ComeInTheOrderOfTheScene) {
     EXPECT_EQ(primitives[21].shape, 2u);
 }
 
-TEST(Primitives, OfTrianglesHaveTheTightestBoxOfTheirPackedCorners) {
+TEST(PrimitivesTest, OfTrianglesHaveTheTightestBoxOfTheirPackedCorners) {
     const glm::dvec3 origin(0.1, 0.2, 0.3);
     const Mesh mesh = singleTriangle({1.0 / 3.0, 5, -2}, {1, 0.7, 3}, {-1.1, 2, 0});
     const Bounds3f bounds = collectPrimitives(sceneOf({shapeOf(mesh)}), origin)[0].bounds;
@@ -105,7 +105,7 @@ TEST(Primitives, OfTrianglesHaveTheTightestBoxOfTheirPackedCorners) {
     EXPECT_EQ(bounds.upper, glm::max(glm::max(packed.v0, packed.v1), packed.v2));
 }
 
-TEST(PackingOrigin, IsTheCameraWithinTheScene) {
+TEST(PackingOriginTest, IsTheCameraWithinTheScene) {
     Scene scene = sceneOf({shapeOf(Sphere{{glm::dmat3(1.0), {10.0, 0.0, 0.0}}, 1.0})});
     scene.camera.position = {10.5, 0.25, 0.0};
     EXPECT_EQ(packingOrigin(scene), scene.camera.position);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-TEST(Range, EndsBelongToItUnlessTheyAreOpen) {
+TEST(RangeTest, EndsBelongToItUnlessTheyAreOpen) {
     EXPECT_TRUE(closedRange(0.0, 1.0).contains(0.0));
     EXPECT_TRUE(closedRange(0.0, 1.0).contains(1.0));
     EXPECT_FALSE(closedRange(0.0, 1.0).contains(std::nextafter(1.0, 2.0)));
@@ -24,7 +24,7 @@ TEST(Range, EndsBelongToItUnlessTheyAreOpen) {
     EXPECT_TRUE(greaterThan(0.0).contains(std::numeric_limits<double>::denorm_min()));
 }
 
-TEST(Range, HoldsFiniteNumbersOnly) {
+TEST(RangeTest, HoldsFiniteNumbersOnly) {
     for (const Range& range : {Range{}, atLeast(0.0), greaterThan(0.0), closedRange(0.0, 1.0)}) {
         EXPECT_FALSE(range.contains(kInfinity));
         EXPECT_FALSE(range.contains(-kInfinity));
@@ -33,7 +33,7 @@ TEST(Range, HoldsFiniteNumbersOnly) {
     EXPECT_TRUE(Range{}.contains(-1e308));
 }
 
-TEST(Range, IsSaidInWords) {
+TEST(RangeTest, IsSaidInWords) {
     EXPECT_EQ(toText(Range{}), "a finite number");
     EXPECT_EQ(toText(closedRange(0.0, 1.0)), "in [0, 1]");
     EXPECT_EQ(toText(openRange(0.0, 180.0)), "between 0 and 180, both excluded");

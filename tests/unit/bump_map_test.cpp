@@ -41,7 +41,7 @@ std::array<double, 3> normalAt(const TexelImage& map, uint32_t x, uint32_t y) {
     return n;
 }
 
-TEST(BumpMap, FlatHeightsAreExactlyFlat) {
+TEST(BumpMapTest, FlatHeightsAreExactlyFlat) {
     const TexelImage map =
         normalMapFromHeights(imageOf(3, 2, [](auto, auto) { return 0.7; }), TexelChannel::Red, 5.0);
     for (size_t i = 0; i < 6; ++i) {
@@ -53,7 +53,7 @@ TEST(BumpMap, FlatHeightsAreExactlyFlat) {
     EXPECT_FALSE(map.isEncoded);
 }
 
-TEST(BumpMap, NormalsAreThoseOfTheHeightField) {
+TEST(BumpMapTest, NormalsAreThoseOfTheHeightField) {
     // A wave each way over one period, so that wrapping around is seamless.
     constexpr uint32_t kSide = 256;
     constexpr double kSteepness = 20.0;
@@ -77,7 +77,7 @@ TEST(BumpMap, NormalsAreThoseOfTheHeightField) {
     }
 }
 
-TEST(BumpMap, WrapsAround) {
+TEST(BumpMapTest, WrapsAround) {
     const TexelImage ramp = imageOf(4, 1, [](uint32_t x, auto) { return x * 0.25; });
     const TexelImage map = normalMapFromHeights(ramp, TexelChannel::Red, 1.0);
     const auto first = normalAt(map, 0, 0);
@@ -86,7 +86,7 @@ TEST(BumpMap, WrapsAround) {
     EXPECT_NEAR(last[0] / last[2], -0.5 * (0.0 - 0.5), 1e-6);
 }
 
-TEST(BumpMap, SteepensNormals) {
+TEST(BumpMapTest, SteepensNormals) {
     // (3, 0, 4) / 5, twice as steep: (6, 0, 4).
     const auto n = normalAt(steepenedNormalMap(imageOfColor(0.8f, 0.5f, 0.9f), 2.0), 0, 0);
     EXPECT_NEAR(n[0] / n[2], 1.5, 1e-6);
@@ -96,7 +96,7 @@ TEST(BumpMap, SteepensNormals) {
     EXPECT_EQ(none[2], 1.0);
 }
 
-TEST(BumpMap, TellsHeightsFromNormals) {
+TEST(BumpMapTest, TellsHeightsFromNormals) {
     EXPECT_TRUE(isGrey(imageOfColor(0.3f, 0.3f, 0.3f)));
     EXPECT_TRUE(isGrey(imageOfColor(0.30f, 0.33f, 0.31f))); // a JPEG's noise
     EXPECT_FALSE(isGrey(imageOfColor(0.5f, 0.5f, 1.0f)));

@@ -45,7 +45,7 @@ Scene validScene() {
 Mesh& meshOf(Scene& scene) { return std::get<Mesh>(scene.shapes[1].geometry); }
 Sphere& sphereOf(Scene& scene) { return std::get<Sphere>(scene.shapes[0].geometry); }
 
-TEST(Validate, AcceptsAValidSceneWithoutWarnings) {
+TEST(ValidateTest, AcceptsAValidSceneWithoutWarnings) {
     Warnings warnings;
     validate(validScene(), warnings);
     EXPECT_TRUE(warnings.sentences().empty()) << warnings.sentences().front();
@@ -56,7 +56,7 @@ struct Mistake {
     std::function<void(Scene&)> make;
 };
 
-TEST(Validate, RefusesBadValuesWithTheirPlaceAndRange) {
+TEST(ValidateTest, RefusesBadValuesWithTheirPlaceAndRange) {
     const std::vector<Mistake> mistakes = {
         {"scene: /camera/fov: must be between 0 and 180, both excluded, not 360",
          [](Scene& s) { s.camera.verticalFov = 2.0 * M_PI; }},
@@ -183,7 +183,7 @@ TEST(Validate, RefusesBadValuesWithTheirPlaceAndRange) {
     }
 }
 
-TEST(Validate, NamesItsOwnPlaceWhereAShapeHasOne) {
+TEST(ValidateTest, NamesItsOwnPlaceWhereAShapeHasOne) {
     Scene scene = validScene();
     scene.shapes[0].place = "chair.gltf: /nodes/3";
     sphereOf(scene).radius = 0.0;
@@ -197,7 +197,7 @@ TEST(Validate, NamesItsOwnPlaceWhereAShapeHasOne) {
     }
 }
 
-TEST(Validate, WarnsOfScenesMadeInMemory) {
+TEST(ValidateTest, WarnsOfScenesMadeInMemory) {
     Scene scene = validScene();
     scene.background = glm::dvec3(0.0);
     Warnings warnings;

@@ -27,7 +27,7 @@ Block randomBlock(size_t pixels, std::mt19937& random) {
 }
 
 // With as many samples in every pixel it is a film like any other.
-TEST(AdaptiveFilm, IsAFilmWhereAllPixelsHaveAsManySamples) {
+TEST(AdaptiveFilmTest, IsAFilmWhereAllPixelsHaveAsManySamples) {
     constexpr uint32_t kBlocks = 16;
     std::mt19937 random(3);
     Film even(5, 3, 1.0);
@@ -53,7 +53,7 @@ TEST(AdaptiveFilm, IsAFilmWhereAllPixelsHaveAsManySamples) {
     EXPECT_NEAR(estimateError(adaptive)->relative / estimateError(even)->relative, 1.0, 0.15);
 }
 
-TEST(AdaptiveFilm, IsTheMeanOfItsHalves) {
+TEST(AdaptiveFilmTest, IsTheMeanOfItsHalves) {
     AdaptiveFilm film(2, 1, 1.0);
     const auto block = [](float first, float second) {
         return Block{{first * kSamples, 0, 0, kSamples}, {second * kSamples, 0, 0, kSamples}};
@@ -75,7 +75,7 @@ TEST(AdaptiveFilm, IsTheMeanOfItsHalves) {
     EXPECT_EQ(preview.pixels[1], picture.pixels[1]);
 }
 
-TEST(AdaptiveFilm, KeepsWhatAHalfHadFoundOfAsManySamples) {
+TEST(AdaptiveFilmTest, KeepsWhatAHalfHadFoundOfAsManySamples) {
     AdaptiveFilm film(1, 1, 1.0);
     const std::vector<uint8_t> in = {0};
     const auto addGrey = [&](uint32_t block, float mean) {
@@ -96,7 +96,7 @@ TEST(AdaptiveFilm, KeepsWhatAHalfHadFoundOfAsManySamples) {
 
 /// Error bars of a mean of two halves with unlike numbers of samples: a normal variable's, drawn
 /// many times, lies within its interval 95 times in a hundred.
-TEST(AdaptiveFilm, IntervalsHoldOfUnlikeHalves) {
+TEST(AdaptiveFilmTest, IntervalsHoldOfUnlikeHalves) {
     constexpr uint32_t kPixels = 40000;
     AdaptiveFilm film(kPixels, 1, 1.0);
     const std::vector<uint8_t> in(kPixels, 0);
@@ -120,7 +120,7 @@ TEST(AdaptiveFilm, IntervalsHoldOfUnlikeHalves) {
     EXPECT_NEAR(estimateError(film)->relative / 1.96, truth, 0.02 * truth);
 }
 
-TEST(AllocateBlocks, FollowsTheNoise) {
+TEST(AllocateBlocksTest, FollowsTheNoise) {
     constexpr uint32_t kWidth = 40;
     // Two flat halves, apart by more than the smoothing reaches but for the seam.
     std::vector<SurveyPixel> survey;
@@ -140,7 +140,7 @@ TEST(AllocateBlocks, FollowsTheNoise) {
     EXPECT_NEAR(brighter[kWidth - 1], 20.0, 1.0);
 }
 
-TEST(AllocateBlocks, KeepsItsBounds) {
+TEST(AllocateBlocksTest, KeepsItsBounds) {
     std::vector<SurveyPixel> survey(100, {1.0f, 0.0f});
     survey[55].variance = 100.0f;
     std::vector<uint32_t> least(100, 3);
@@ -156,7 +156,7 @@ TEST(AllocateBlocks, KeepsItsBounds) {
 }
 
 // Little noise to be seen does not mean that there is none: all samples are dealt out.
-TEST(AllocateBlocks, DealsOutAll) {
+TEST(AllocateBlocksTest, DealsOutAll) {
     std::vector<SurveyPixel> survey(100, {1.0f, 0.0f});
     const std::vector<uint32_t> least(100, 3);
     EXPECT_EQ(allocateBlocks(survey, 10, least, 64, 2000), std::vector<uint32_t>(100, 20));

@@ -21,7 +21,7 @@ BlockRanges make(const std::vector<BlockRange>& ranges) {
     return blocks;
 }
 
-TEST(BlockRanges, JoinsNeighbours) {
+TEST(BlockRangesTest, JoinsNeighbours) {
     BlockRanges blocks = make({{4, 6}, {0, 2}, {8, 9}});
     EXPECT_EQ(rangesOf(blocks), (std::vector<BlockRange>{{0, 2}, {4, 6}, {8, 9}}));
     blocks.add({2, 4});
@@ -32,7 +32,7 @@ TEST(BlockRanges, JoinsNeighbours) {
 
 // The same set in any order is the same ranges, and all that is asked of them is what a plain set
 // says.
-TEST(BlockRanges, AgreesWithAPlainSet) {
+TEST(BlockRangesTest, AgreesWithAPlainSet) {
     std::mt19937 random(5);
     for (int round = 0; round < 200; ++round) {
         std::set<uint32_t> plain;

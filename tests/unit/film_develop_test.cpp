@@ -53,21 +53,21 @@ void addOne(Picture& picture) {
 const Stage kDemodulate{"demodulate", "", {"albedo", "depth"}, demodulate};
 const Stage kAddOne{"add-one", "", {}, addOne};
 
-TEST(Develop, MakesTheLayersThatAreWanted) {
+TEST(DevelopTest, MakesTheLayersThatAreWanted) {
     const Picture picture =
         develop(grey(3.0f), {findLayer("depth"), findLayer("uv")}, {}, numbered);
     EXPECT_EQ(picture.color.pixels, grey(3.0f).pixels);
     EXPECT_EQ(namesOfChannels(picture), (std::vector<std::string>{"depth.Z", "uv.U", "uv.V"}));
 }
 
-TEST(Develop, RunsTheStagesInTheirOrder) {
+TEST(DevelopTest, RunsTheStagesInTheirOrder) {
     EXPECT_EQ(develop(grey(3.0f), {}, {&kAddOne, &kDemodulate}, numbered).color.pixels,
               grey(2.0f).pixels);
     EXPECT_EQ(develop(grey(3.0f), {}, {&kDemodulate, &kAddOne}, numbered).color.pixels,
               grey(2.5f).pixels);
 }
 
-TEST(Develop, GivesStagesTheirLayersAndKeepsWhatTheyAdd) {
+TEST(DevelopTest, GivesStagesTheirLayersAndKeepsWhatTheyAdd) {
     const LayerList wanted = {findLayer("depth")};
     EXPECT_EQ(namesOf(neededLayers(wanted, {&kDemodulate, &kAddOne})), "depth, albedo");
     const Picture picture = develop(grey(3.0f), wanted, {&kDemodulate}, numbered);
@@ -87,14 +87,14 @@ Film twoReplicas(const std::vector<std::string>& others) {
     return film;
 }
 
-TEST(Develop, TakesErrorsFromTheFilm) {
+TEST(DevelopTest, TakesErrorsFromTheFilm) {
     const Film film = twoReplicas({});
     const std::vector<Channel> channels = channelsOf(*findLayer("error"), film);
     ASSERT_EQ(channels.size(), 2u);
     EXPECT_EQ(std::get<std::vector<float>>(channels[1].pixels)[1], pixelErrors(film)[1].interval);
 }
 
-TEST(Develop, TakesAveragedLayersFromTheFilmsChannels) {
+TEST(DevelopTest, TakesAveragedLayersFromTheFilmsChannels) {
     const Layer layer{.name = "mean",
                       .source = LayerSource::Averaged,
                       .channels = {"mean.X", "mean.Y"},

@@ -25,7 +25,7 @@ glm::ivec3 shown(const glm::vec3& radiance, const DisplayTransform& transform = 
     return glm::ivec3(toDisplay(image, transform).at(0, 0));
 }
 
-TEST(Srgb, FollowsTheStandardOnBothPieces) {
+TEST(SrgbTest, FollowsTheStandardOnBothPieces) {
     EXPECT_FLOAT_EQ(srgbFromLinear(0.001f), 0.01292f);
     EXPECT_FLOAT_EQ(srgbFromLinear(0.0031308f), 0.040449936f);
     EXPECT_FLOAT_EQ(srgbFromLinear(0.0032f), 0.041323359f);
@@ -33,18 +33,18 @@ TEST(Srgb, FollowsTheStandardOnBothPieces) {
     EXPECT_FLOAT_EQ(srgbFromLinear(1.0f), 1.0f);
 }
 
-TEST(DisplayTransform, RoundsToTheNearestLevel) {
+TEST(DisplayTransformTest, RoundsToTheNearestLevel) {
     EXPECT_EQ(shown({0.0f, 0.0031308f, 0.18f}), glm::ivec3(0, 10, 118)); // 10.31, 117.65
     EXPECT_EQ(shown({0.5f, 0.999f, 1.0f}), glm::ivec3(188, 255, 255));   // 187.52, 254.89
     EXPECT_EQ(shown({0.00015f, 0.00016f, 2.0f}), glm::ivec3(0, 1, 255)); // 0.494, 0.527
 }
 
-TEST(DisplayTransform, ExposesInStops) {
+TEST(DisplayTransformTest, ExposesInStops) {
     EXPECT_EQ(shown({0.25f, 0.09f, 0.0f}, {1.0f}), shown({0.5f, 0.18f, 0.0f}));
     EXPECT_EQ(shown({2.0f, 0.72f, 0.0f}, {-2.0f}), shown({0.5f, 0.18f, 0.0f}));
 }
 
-TEST(DisplayTransform, ShowsWhatIsNoLightAsBlack) {
+TEST(DisplayTransformTest, ShowsWhatIsNoLightAsBlack) {
     for (ToneMap toneMap : kToneMaps)
         for (float stops : {-1000.0f, 0.0f, 1000.0f}) {
             const DisplayTransform transform{stops, toneMap};
@@ -53,13 +53,13 @@ TEST(DisplayTransform, ShowsWhatIsNoLightAsBlack) {
         }
 }
 
-TEST(DisplayTransform, ShowsTheLargestFloatAsWhite) {
+TEST(DisplayTransformTest, ShowsTheLargestFloatAsWhite) {
     for (ToneMap toneMap : kToneMaps)
         for (float stops : {0.0f, 1000.0f})
             EXPECT_EQ(shown(glm::vec3(kLargest), {stops, toneMap}), glm::ivec3(255));
 }
 
-TEST(ToneMap, IsFoundByName) {
+TEST(ToneMapTest, IsFoundByName) {
     EXPECT_EQ(toneMapFromName("none"), ToneMap::None);
     EXPECT_EQ(toneMapFromName("neutral"), ToneMap::Neutral);
     EXPECT_EQ(toneMapFromName("reinhard"), ToneMap::Reinhard);
@@ -67,7 +67,7 @@ TEST(ToneMap, IsFoundByName) {
     EXPECT_EQ(toneMapFromName(""), std::nullopt);
 }
 
-TEST(ToneMap, KeepsBlackAndNeverDarkensWithMoreLight) {
+TEST(ToneMapTest, KeepsBlackAndNeverDarkensWithMoreLight) {
     for (ToneMap toneMap : kToneMaps)
         for (const glm::vec3& color : {glm::vec3(1.0f), glm::vec3(1.0f, 0.5f, 0.1f),
                                        glm::vec3(0.0f, 0.2f, 1.0f), glm::vec3(0.0f, 1.0f, 0.0f)}) {
@@ -85,7 +85,7 @@ TEST(ToneMap, KeepsBlackAndNeverDarkensWithMoreLight) {
         }
 }
 
-TEST(ToneMap, NeutralMatchesItsSpecification) {
+TEST(ToneMapTest, NeutralMatchesItsSpecification) {
     const auto map = [](const glm::vec3& color) { return applyToneMap(ToneMap::Neutral, color); };
     // Toe: 6.25 * 0.04^2; beyond it the smallest channel loses 0.04, and so do the others.
     EXPECT_NEAR(map(glm::vec3(0.04f)).g, 0.01f, 1e-7);
@@ -99,11 +99,11 @@ TEST(ToneMap, NeutralMatchesItsSpecification) {
     EXPECT_NEAR(map({1.24f, 0.0f, 0.0f}).g, 0.0421374f, 1e-6);
 }
 
-TEST(ToneMap, ReinhardKeepsTheRatiosOfChannels) {
+TEST(ToneMapTest, ReinhardKeepsTheRatiosOfChannels) {
     EXPECT_EQ(applyToneMap(ToneMap::Reinhard, {3.0f, 1.5f, 0.0f}), glm::vec3(0.75f, 0.375f, 0.0f));
 }
 
-TEST(WritePicture, PicksTheFormatByExtension) {
+TEST(WritePictureTest, PicksTheFormatByExtension) {
     Image image(2, 1);
     image.pixels = {{0.1f, 0.2f, NAN}, {3.0f, 0.0f, -1.0f}};
     const test::ScratchFolder folder;

@@ -32,7 +32,7 @@ Film greyFilm(const std::vector<std::vector<double>>& means) {
     return film;
 }
 
-TEST(ErrorEstimate, IsUnknownOfFewerThanTwoReplicas) {
+TEST(ErrorEstimateTest, IsUnknownOfFewerThanTwoReplicas) {
     EXPECT_FALSE(estimateError(Film(2, 1, 1.0)));
     const Film film = greyFilm({{1.0, 2.0}});
     EXPECT_FALSE(estimateError(film));
@@ -41,7 +41,7 @@ TEST(ErrorEstimate, IsUnknownOfFewerThanTwoReplicas) {
 }
 
 // Two pixels, two replicas: deviations of 0.25 about 1, and of 0.5 about 3.
-TEST(ErrorEstimate, IsItsFormula) {
+TEST(ErrorEstimateTest, IsItsFormula) {
     const auto estimate = estimateError(greyFilm({{0.75, 2.5}, {1.25, 3.5}}));
     ASSERT_TRUE(estimate);
     const double floor = std::pow(0.01 * 2.0, 2.0);
@@ -53,7 +53,7 @@ TEST(ErrorEstimate, IsItsFormula) {
     EXPECT_FALSE(estimate->isTrusted()) << "two replicas cannot tell";
 }
 
-TEST(ErrorEstimate, WeighsReplicasByTheirSamples) {
+TEST(ErrorEstimateTest, WeighsReplicasByTheirSamples) {
     // Replicas 0 and 1 have two blocks, the others one.
     const std::vector<double> means = {1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 3.0, 4.0};
     std::vector<std::vector<double>> blocks;
@@ -83,7 +83,7 @@ double studentProbabilityWithin(double t, double freedom) {
     return 2.0 * sum * t / kSteps;
 }
 
-TEST(ErrorEstimate, IntervalsAreStudents) {
+TEST(ErrorEstimateTest, IntervalsAreStudents) {
     for (uint32_t replicas = 2; replicas <= shared::kReplicas; ++replicas) {
         std::vector<std::vector<double>> blocks;
         for (uint32_t block = 0; block < replicas; ++block)
@@ -106,7 +106,7 @@ Film noisyFilm(size_t pixels, double spread, uint32_t seed) {
 }
 
 // The noise is known: 0.1 per replica, 0.1 / sqrt(8) of the mean.
-TEST(ErrorEstimate, FindsTheNoiseThatIsThere) {
+TEST(ErrorEstimateTest, FindsTheNoiseThatIsThere) {
     const double expected = 1.96 * 0.1 / std::sqrt(8.0);
     const auto estimate = estimateError(noisyFilm(4000, 0.1, 1));
     ASSERT_TRUE(estimate);
@@ -120,7 +120,7 @@ TEST(ErrorEstimate, FindsTheNoiseThatIsThere) {
 }
 
 // Of small films and large ones, the bound is too low no more often than it says: once in 400.
-TEST(ErrorEstimate, BoundHoldsButForOneIn400) {
+TEST(ErrorEstimateTest, BoundHoldsButForOneIn400) {
     constexpr int kFilms = 4000;
     for (const size_t pixels : {size_t{1}, size_t{4}, size_t{30}}) {
         const double truth = 1.96 * 0.05 / std::sqrt(8.0);
@@ -137,7 +137,7 @@ TEST(ErrorEstimate, BoundHoldsButForOneIn400) {
 }
 
 // One replica in eight of some pixels has all of its light: the rest of the picture looks alike.
-TEST(ErrorEstimate, DoubtsItselfWhereRareSamplesBringTheLight) {
+TEST(ErrorEstimateTest, DoubtsItselfWhereRareSamplesBringTheLight) {
     std::vector<std::vector<double>> blocks(shared::kReplicas, std::vector<double>(400, 1.0));
     for (size_t pixel = 0; pixel < 20; ++pixel)
         blocks[pixel % shared::kReplicas][20 * pixel] = 1000.0;
@@ -147,7 +147,7 @@ TEST(ErrorEstimate, DoubtsItselfWhereRareSamplesBringTheLight) {
     EXPECT_FALSE(estimate->isTrusted());
 }
 
-TEST(ErrorEstimate, TakesBlackAndEvenPictures) {
+TEST(ErrorEstimateTest, TakesBlackAndEvenPictures) {
     std::vector<std::vector<double>> blocks(shared::kReplicas, std::vector<double>(3, 0.0));
     EXPECT_FALSE(estimateError(greyFilm(blocks))) << "a black picture may lack all of its light";
     // What float sums round is no noise.
@@ -158,7 +158,7 @@ TEST(ErrorEstimate, TakesBlackAndEvenPictures) {
     EXPECT_TRUE(even->isTrusted());
 }
 
-TEST(Luminance, IsRec709s) {
+TEST(LuminanceTest, IsRec709s) {
     EXPECT_NEAR(luminance({1.0, 1.0, 1.0}), 1.0, 1e-15);
     EXPECT_EQ(luminance({1.0, 0.0, 0.0}), 0.2126);
     EXPECT_EQ(luminance({0.0, 0.0, 1.0}), 0.0722);

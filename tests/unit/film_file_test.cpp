@@ -59,13 +59,13 @@ std::string errorOf(const std::function<void()>& action) {
     return "";
 }
 
-class FilmFile : public testing::Test {
+class FilmFileTest : public testing::Test {
 protected:
     TestFolder folder_;
     std::string path_ = folder_ / "x.film";
 };
 
-TEST_F(FilmFile, GivesBackWhatItWasGiven) {
+TEST_F(FilmFileTest, GivesBackWhatItWasGiven) {
     for (const auto& [width, height] : {std::pair{1u, 1u}, {7u, 3u}, {kWidth, kHeight}}) {
         const Film film = filmOf(width, height, {3, 0, 9, 8});
         writeFilm(path_, someLabel(), film);
@@ -82,7 +82,7 @@ TEST_F(FilmFile, GivesBackWhatItWasGiven) {
     EXPECT_EQ(folder_.names(), std::vector<std::string>{"x.film"});
 }
 
-TEST_F(FilmFile, KeepsAnEmptyFilm) {
+TEST_F(FilmFileTest, KeepsAnEmptyFilm) {
     writeFilm(path_, {}, Film(2, 2, 1.0));
     EXPECT_TRUE(readFilm(path_).film.blocks().empty());
 }
@@ -101,7 +101,7 @@ Film filmWithChannels(const std::vector<std::string>& others) {
     return film;
 }
 
-TEST_F(FilmFile, KeepsOtherChannels) {
+TEST_F(FilmFileTest, KeepsOtherChannels) {
     const Film film = filmWithChannels({"albedo.R", "depth.Z"});
     writeFilm(path_, someLabel(), film);
     EXPECT_EQ(formatOf(readText(path_)), std::pair(2, true));
@@ -119,12 +119,12 @@ TEST_F(FilmFile, KeepsOtherChannels) {
 }
 
 // So that older programs read it.
-TEST_F(FilmFile, OfColoursAloneIsOfVersionOne) {
+TEST_F(FilmFileTest, OfColoursAloneIsOfVersionOne) {
     writeFilm(path_, someLabel(), filmOf(3, 2, {0}));
     EXPECT_EQ(formatOf(readText(path_)), std::pair(1, false));
 }
 
-TEST_F(FilmFile, IsTheSameBytesInAnyOrderOfBlocks) {
+TEST_F(FilmFileTest, IsTheSameBytesInAnyOrderOfBlocks) {
     writeFilm(path_, someLabel(), filmOf(20, 10, {0, 1, 2, 5}));
     const std::string bytes = readText(path_);
     writeFilm(path_, someLabel(), filmOf(20, 10, {5, 2, 0, 1}));
@@ -136,7 +136,7 @@ TEST_F(FilmFile, IsTheSameBytesInAnyOrderOfBlocks) {
 }
 
 // Every byte is under the checksum, or is the checksum, the length, the version or the signature.
-TEST_F(FilmFile, RefusesAFlippedByteAnywhere) {
+TEST_F(FilmFileTest, RefusesAFlippedByteAnywhere) {
     writeFilm(path_, someLabel(), filmOf(3, 2, {0, 4}));
     const std::string bytes = readText(path_);
     for (size_t i = 0; i < bytes.size(); ++i) {
@@ -147,7 +147,7 @@ TEST_F(FilmFile, RefusesAFlippedByteAnywhere) {
     }
 }
 
-TEST_F(FilmFile, RefusesABeginning) {
+TEST_F(FilmFileTest, RefusesABeginning) {
     writeFilm(path_, someLabel(), filmOf(3, 2, {0, 4}));
     const std::string bytes = readText(path_);
     for (size_t size = 0; size < bytes.size(); size += size < 64 ? 1 : 37) {
@@ -158,7 +158,7 @@ TEST_F(FilmFile, RefusesABeginning) {
     EXPECT_NE(errorOf([&] { readFilm(longer); }).find("checksum"), std::string::npos);
 }
 
-TEST_F(FilmFile, SaysWhatIsWrong) {
+TEST_F(FilmFileTest, SaysWhatIsWrong) {
     EXPECT_NE(errorOf([&] { readFilm(folder_ / "none.film"); }).find("No such file"),
               std::string::npos);
     const std::string text = folder_.write("a.film", "{ \"shapes\": [] }, which is no film");
@@ -189,7 +189,7 @@ std::string withDescription(std::string bytes, const std::string& from, const st
     return bytes;
 }
 
-TEST_F(FilmFile, RefusesDescriptionsThatMakeNoSense) {
+TEST_F(FilmFileTest, RefusesDescriptionsThatMakeNoSense) {
     writeFilm(path_, someLabel(), filmOf(3, 2, {0, 4}));
     for (const auto& [from, to] :
          {std::pair<std::string, std::string>{"\"width\":3", "\"width\":9"},
@@ -205,7 +205,7 @@ TEST_F(FilmFile, RefusesDescriptionsThatMakeNoSense) {
     }
 }
 
-TEST_F(FilmFile, RefusesChannelsThatMakeNoSense) {
+TEST_F(FilmFileTest, RefusesChannelsThatMakeNoSense) {
     writeFilm(path_, someLabel(), filmWithChannels({"depth.Z"}));
     const std::string from = "\"channels\":[\"R\",\"G\",\"B\",\"depth.Z\"]";
     for (const char* to :
@@ -218,7 +218,7 @@ TEST_F(FilmFile, RefusesChannelsThatMakeNoSense) {
     }
 }
 
-TEST_F(FilmFile, TellsFilmsOfOtherOriginApart) {
+TEST_F(FilmFileTest, TellsFilmsOfOtherOriginApart) {
     writeFilm(path_, someLabel(), filmOf(3, 2, {0}));
     const KeptFilm kept = readFilm(path_);
     const auto difference = [&](const FilmLabel& label, double unit = 0.25) {

@@ -29,7 +29,7 @@ Block uniformBlock(size_t pixels, const glm::vec3& sum) {
     return Block(pixels, glm::vec4(sum, kWhole));
 }
 
-TEST(FilmUnit, IsTheLeastPowerOfTwoThatReachesTheLight) {
+TEST(FilmUnitTest, IsTheLeastPowerOfTwoThatReachesTheLight) {
     EXPECT_EQ(filmUnit(0.0), 1.0);
     EXPECT_EQ(filmUnit(1.0), 1.0);
     EXPECT_EQ(filmUnit(1.0000001), 2.0);
@@ -40,7 +40,7 @@ TEST(FilmUnit, IsTheLeastPowerOfTwoThatReachesTheLight) {
     EXPECT_EQ(filmUnit(1e-300), 0x1p-126);
 }
 
-TEST(Film, StartsBlack) {
+TEST(FilmTest, StartsBlack) {
     const Film film(3, 2, 1.0);
     const Image image = film.picture();
     EXPECT_EQ(image.width, 3u);
@@ -49,7 +49,7 @@ TEST(Film, StartsBlack) {
     EXPECT_TRUE(film.blocks().empty());
 }
 
-TEST(Film, PictureIsTheMeanOfItsSamples) {
+TEST(FilmTest, PictureIsTheMeanOfItsSamples) {
     Film film(2, 1, 32.0);
     addNext(film, Block{{16, 32, -48, kWhole}, {0, 8, 1, kWhole}});
     addNext(film, Block{{48, 0, 16, kWhole}, {16, 8, 1, kWhole}});
@@ -59,7 +59,7 @@ TEST(Film, PictureIsTheMeanOfItsSamples) {
     EXPECT_EQ(film.picture().at(1, 0), glm::vec3(0.5f, 0.5f, 0.0625f));
 }
 
-TEST(Film, IsBitForBitTheSameInAnyOrderOfBlocks) {
+TEST(FilmTest, IsBitForBitTheSameInAnyOrderOfBlocks) {
     constexpr size_t kPixels = 12;
     std::mt19937 random(7);
     std::uniform_real_distribution<float> mantissa(-1.0f, 1.0f);
@@ -94,7 +94,7 @@ TEST(Film, IsBitForBitTheSameInAnyOrderOfBlocks) {
     }
 }
 
-TEST(Film, KeepsTheLuminanceOfEachReplicaApart) {
+TEST(FilmTest, KeepsTheLuminanceOfEachReplicaApart) {
     Film film(2, 1, 4.0);
     for (uint32_t block = 0; block < 11; ++block) {
         const auto value = static_cast<float>(block);
@@ -109,7 +109,7 @@ TEST(Film, KeepsTheLuminanceOfEachReplicaApart) {
     }
 }
 
-TEST(Film, DoesNotDriftOverAMillionBlocks) {
+TEST(FilmTest, DoesNotDriftOverAMillionBlocks) {
     constexpr int kBlocks = 1'000'000;
     Film film(1, 1, 4.0);
     const Block block = uniformBlock(1, {0.1f, -0.7f, 3.0f});
@@ -123,7 +123,7 @@ TEST(Film, DoesNotDriftOverAMillionBlocks) {
     EXPECT_EQ(film.picture().at(0, 0), glm::vec3(0.1f, -0.7f, 3.0f) / kWhole);
 }
 
-TEST(Film, KeepsDarkPixelsBesideABrightUnit) {
+TEST(FilmTest, KeepsDarkPixelsBesideABrightUnit) {
     Film film(2, 1, filmUnit(1e6));
     const glm::vec3 dark(1e-6f, 3e-6f, 7e-5f); // all above 2^-41 units, which is 4.8e-7
     Block block = uniformBlock(2, dark);
@@ -134,14 +134,14 @@ TEST(Film, KeepsDarkPixelsBesideABrightUnit) {
     EXPECT_EQ(film.picture().at(1, 0), glm::vec3(block[1]) / kWhole);
 }
 
-TEST(Film, RoundsBelowItsExactRangeByAtMostHalfAStep) {
+TEST(FilmTest, RoundsBelowItsExactRangeByAtMostHalfAStep) {
     Film film(1, 1, 1.0);
     const float tiny = 0x1.234566p-60f;
     addNext(film, uniformBlock(1, glm::vec3(tiny)));
     EXPECT_LE(std::abs(fromFixedPoint(film.sums().channels[0]) - tiny), 0x1p-65);
 }
 
-TEST(Film, CountsWhatIsNotFiniteAndAddsNothing) {
+TEST(FilmTest, CountsWhatIsNotFiniteAndAddsNothing) {
     Film film(4, 1, 1.0);
     addNext(film, uniformBlock(4, glm::vec3(16.0f)));
     addNext(film, Block{{NAN, 16, 16, kWhole},
@@ -155,7 +155,7 @@ TEST(Film, CountsWhatIsNotFiniteAndAddsNothing) {
     EXPECT_EQ(film.picture().at(3, 0), glm::vec3(1.0f));
 }
 
-TEST(Film, CountsWhatIsOutOfRangeAndAddsNothing) {
+TEST(FilmTest, CountsWhatIsOutOfRangeAndAddsNothing) {
     Film film(4, 1, 2.0);
     const float limit = 0x1p41f;
     const float below = std::nextafter(limit, 0.0f);
@@ -182,7 +182,7 @@ TEST(FilmDeathTest, HoldsItsLimitOfTheBrightestBlocksAndNoMore) {
     EXPECT_DEATH(addNext(film, block), "check failed: sums_.blocks.count");
 }
 
-TEST(Film, TakesTheExtremesOfUnitAndRadiance) {
+TEST(FilmTest, TakesTheExtremesOfUnitAndRadiance) {
     const float smallest = std::numeric_limits<float>::denorm_min();
     const float largest = std::numeric_limits<float>::max();
     Film dim(1, 1, 0x1p-126);
@@ -196,7 +196,7 @@ TEST(Film, TakesTheExtremesOfUnitAndRadiance) {
     EXPECT_EQ(bright.losses().overflowedPixels, 0u);
 }
 
-TEST(Film, ShowsAPartialBlockInThePictureOnly) {
+TEST(FilmTest, ShowsAPartialBlockInThePictureOnly) {
     Film film(4, 1, 1.0);
     const Block partial = {{2, 4, 6, 2}, {8, 8, 8, 8}, {0, 0, 0, 0}, {NAN, 1, 1, 4}};
     EXPECT_EQ(film.picture(partial).pixels,
@@ -215,7 +215,7 @@ TEST(Film, ShowsAPartialBlockInThePictureOnly) {
     EXPECT_EQ(film.picture().at(1, 0), glm::vec3(2.0f));
 }
 
-TEST(Film, TakesTheMeansOfItsOtherChannels) {
+TEST(FilmTest, TakesTheMeansOfItsOtherChannels) {
     Film film(2, 1, 256.0, {"depth.Z", "uv.U"});
     EXPECT_EQ(film.channels(), (std::vector<std::string>{"R", "G", "B", "depth.Z", "uv.U"}));
     EXPECT_EQ(film.mean(3), (std::vector<float>{0, 0}));
@@ -229,7 +229,7 @@ TEST(Film, TakesTheMeansOfItsOtherChannels) {
     EXPECT_EQ(film.picture().at(1, 0), glm::vec3(1, 2, 4));
 }
 
-TEST(Film, IsTheSameLightWithOtherChannels) {
+TEST(FilmTest, IsTheSameLightWithOtherChannels) {
     Film plain(2, 1, 1.0);
     Film film(2, 1, 1.0, {"depth.Z"});
     const Block block = {{1, 2, 3, kWhole}, {NAN, 2, 3, kWhole}};
@@ -244,7 +244,7 @@ TEST(Film, IsTheSameLightWithOtherChannels) {
     EXPECT_EQ(film.mean(3), (std::vector<float>{0, 0.5f}));
 }
 
-TEST(Film, JoinsItsOtherChannels) {
+TEST(FilmTest, JoinsItsOtherChannels) {
     const Block block = uniformBlock(1, glm::vec3(1.0f));
     Film whole(1, 1, 1.0, {"depth.Z"});
     Film first = whole;

@@ -24,7 +24,7 @@ FixedPoint exactly(float value) {
     return value < 0.0f ? -magnitude : magnitude;
 }
 
-TEST(FixedPoint, MatchesIntegerArithmeticForFloatsOfEverySize) {
+TEST(FixedPointTest, MatchesIntegerArithmeticForFloatsOfEverySize) {
     std::mt19937 random(1);
     std::uniform_int_distribution<uint32_t> mantissas(0, 0x7fffff);
     for (uint32_t exponentBits = 0; exponentBits < 127 + 40; ++exponentBits)
@@ -39,7 +39,7 @@ TEST(FixedPoint, MatchesIntegerArithmeticForFloatsOfEverySize) {
     EXPECT_TRUE(toFixedPoint(-kFixedPointTermLimit) == -(FixedPoint{1} << 104));
 }
 
-TEST(FixedPoint, ComesBack) {
+TEST(FixedPointTest, ComesBack) {
     for (float value : {0.0f, 1.0f, -0.1f, 0x1.fffffep-18f, -0x1.abcdeep39f})
         EXPECT_EQ(fromFixedPoint(toFixedPoint(value)), value);
 }

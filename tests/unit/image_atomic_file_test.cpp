@@ -61,7 +61,7 @@ private:
     rlimit old_{};
 };
 
-TEST(AtomicFile, WritesAllBytesAndNothingElse) {
+TEST(AtomicFileTest, WritesAllBytesAndNothingElse) {
     const ScratchFolder folder;
     const std::string bytes("a\0b\xff\n", 5);
     writeFileAtomically(folder / "new.bin", bytes);
@@ -69,7 +69,7 @@ TEST(AtomicFile, WritesAllBytesAndNothingElse) {
     EXPECT_EQ(folder.entries(), 1u);
 }
 
-TEST(AtomicFile, ReplacesAFileByRenaming) {
+TEST(AtomicFileTest, ReplacesAFileByRenaming) {
     const ScratchFolder folder;
     writeBytes(folder / "picture", "old");
     std::ifstream reader(folder / "picture");
@@ -81,7 +81,7 @@ TEST(AtomicFile, ReplacesAFileByRenaming) {
     EXPECT_EQ(folder.entries(), 1u);
 }
 
-TEST(AtomicFile, FailureKeepsTheOldFileAndLeavesNoDebris) {
+TEST(AtomicFileTest, FailureKeepsTheOldFileAndLeavesNoDebris) {
     const ScratchFolder folder;
     writeBytes(folder / "picture", "old");
     {
@@ -96,7 +96,7 @@ TEST(AtomicFile, FailureKeepsTheOldFileAndLeavesNoDebris) {
     EXPECT_EQ(folder.entries(), 1u);
 }
 
-TEST(AtomicFile, FollowsALinkAndKeepsIt) {
+TEST(AtomicFileTest, FollowsALinkAndKeepsIt) {
     const ScratchFolder folder;
     fs::create_directory(folder / "elsewhere");
     writeBytes(folder / "elsewhere/picture", "old");
@@ -106,7 +106,7 @@ TEST(AtomicFile, FollowsALinkAndKeepsIt) {
     EXPECT_EQ(readBytes(folder / "elsewhere/picture"), "new");
 }
 
-TEST(AtomicFile, WritesToADeviceInPlace) {
+TEST(AtomicFileTest, WritesToADeviceInPlace) {
     writeFileAtomically("/dev/null", "bytes");
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
     const std::string message = messageOf([] { writeFileAtomically("/dev/full", "bytes"); });
@@ -114,7 +114,7 @@ TEST(AtomicFile, WritesToADeviceInPlace) {
     EXPECT_TRUE(contains(message, "No space left on device"));
 }
 
-TEST(AtomicFile, RefusesPathsThatCannotBeWritten) {
+TEST(AtomicFileTest, RefusesPathsThatCannotBeWritten) {
     const ScratchFolder folder;
     writeBytes(folder / "file", "");
     expectRefused("", "No such file or directory");
@@ -127,7 +127,7 @@ TEST(AtomicFile, RefusesPathsThatCannotBeWritten) {
     EXPECT_EQ(folder.entries(), 1u);
 }
 
-TEST(AtomicFile, CheckLeavesNothingBehindAndTouchesNothing) {
+TEST(AtomicFileTest, CheckLeavesNothingBehindAndTouchesNothing) {
     const ScratchFolder folder;
     checkWritable(folder / "new.png");
     EXPECT_EQ(folder.entries(), 0u);

@@ -21,9 +21,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Every test also bounds the memory that it uses.
-class ImageCorpora : public testing::Test {
+class ImageCorporaTest : public testing::Test {
 protected:
-    ~ImageCorpora() override { EXPECT_LT(memory_.peak(), kMostMemory); }
+    ~ImageCorporaTest() override { EXPECT_LT(memory_.peak(), kMostMemory); }
 
 private:
     /// Some MiB by itself. Broken copies may claim 2^28 texels, but hold no more than 20 KB, which
@@ -49,7 +49,7 @@ TexelImage read(const std::string& bytes) {
     return readTexelImage(bytes, ImageTexture::kLargestSide, "image");
 }
 
-TEST_F(ImageCorpora, PngsDecodeUnlessCorrupt) {
+TEST_F(ImageCorporaTest, PngsDecodeUnlessCorrupt) {
     const std::vector<fs::path> paths = imagesOf("pngsuite");
     if (paths.empty())
         GTEST_SKIP() << "../shared/data is not there";
@@ -73,7 +73,7 @@ int largestDifference(const TexelImage& a, const TexelImage& b) {
     return static_cast<int>(std::lround(255.0f * largest));
 }
 
-TEST_F(ImageCorpora, JpegsDecodeToThePngBesideThem) {
+TEST_F(ImageCorporaTest, JpegsDecodeToThePngBesideThem) {
     // libjpeg, which made the PNGs, does not smooth chroma that is one or two samples wide.
     constexpr uint32_t kNarrow = 4;
     constexpr int kTolerance = 3; // two roundings of the transform and one of the colours
@@ -103,7 +103,7 @@ TEST_F(ImageCorpora, JpegsDecodeToThePngBesideThem) {
     EXPECT_EQ(refused, (std::vector<std::string>{"partial_progressive.jpg"}));
 }
 
-TEST_F(ImageCorpora, TgasOfEqualContentAreEqual) {
+TEST_F(ImageCorporaTest, TgasOfEqualContentAreEqual) {
     const std::vector<fs::path> paths = imagesOf("tga-basic");
     if (paths.empty())
         GTEST_SKIP() << "../shared/data is not there";
@@ -114,7 +114,7 @@ TEST_F(ImageCorpora, TgasOfEqualContentAreEqual) {
               read(readBytes(folder / "tga_uncompressed.tga")).bytes);
 }
 
-TEST_F(ImageCorpora, BrokenCopiesAreDecodedOrRefused) {
+TEST_F(ImageCorporaTest, BrokenCopiesAreDecodedOrRefused) {
     constexpr int kCopies = 12;
     constexpr size_t kLargestFile = 20'000;
     std::mt19937 random(1);

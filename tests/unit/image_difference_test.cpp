@@ -25,7 +25,7 @@ Image make(uint32_t width, uint32_t height, std::vector<glm::vec3> pixels) {
 const Image kA = make(2, 2, {{1, 2, 3}, {0, 0, 0}, {0.5f, 0, 8}, {1, 1, 1}});
 const Image kB = make(2, 2, {{1, 1, 3}, {0, 0, 0}, {0, 0.25f, 10}, {1, 1, 1}});
 
-TEST(Difference, AgreesWithTheFiguresByHand) {
+TEST(DifferenceTest, AgreesWithTheFiguresByHand) {
     const ImageDifference difference = measureDifference(kA, kB);
     EXPECT_EQ(difference.meanError, glm::dvec3(0.125, 0.1875, -0.5));
     const double squares = 1.0 + 0.25 + 0.0625 + 4.0;
@@ -43,7 +43,7 @@ TEST(Difference, AgreesWithTheFiguresByHand) {
     EXPECT_EQ(difference.leftOut, 0u);
 }
 
-TEST(Difference, OfEqualPicturesIsNothing) {
+TEST(DifferenceTest, OfEqualPicturesIsNothing) {
     const ImageDifference difference = measureDifference(kA, kA);
     EXPECT_EQ(difference.meanError, glm::dvec3(0.0));
     EXPECT_EQ(difference.rmse, 0.0);
@@ -52,21 +52,21 @@ TEST(Difference, OfEqualPicturesIsNothing) {
     EXPECT_EQ(difference.largest.magnitude, 0.0);
 }
 
-TEST(Difference, WithoutAPeakHasNoDecibels) {
+TEST(DifferenceTest, WithoutAPeakHasNoDecibels) {
     const ImageDifference difference =
         measureDifference(make(1, 1, {{1, 1, 1}}), make(1, 1, {{0, -1, 0}}));
     EXPECT_EQ(difference.peak, 0.0);
     EXPECT_EQ(difference.psnr(), -std::numeric_limits<double>::infinity());
 }
 
-TEST(Difference, TakesTheFirstOfEqualExtremes) {
+TEST(DifferenceTest, TakesTheFirstOfEqualExtremes) {
     const ImageDifference difference = measureDifference(
         make(3, 1, {{0, 0, 0}, {0, -1, 1}, {1, 0, 0}}), make(3, 1, {{0, 0, 0}, {0, 0, 0}, {}}));
     EXPECT_EQ(difference.largest.x, 1u);
     EXPECT_EQ(difference.largest.channel, 1);
 }
 
-TEST(Difference, OfExtremeFloatsStaysFinite) {
+TEST(DifferenceTest, OfExtremeFloatsStaysFinite) {
     constexpr float kMax = std::numeric_limits<float>::max();
     const ImageDifference difference =
         measureDifference(make(1, 1, {glm::vec3(kMax)}), make(1, 1, {glm::vec3(-kMax)}));
@@ -75,7 +75,7 @@ TEST(Difference, OfExtremeFloatsStaysFinite) {
     EXPECT_EQ(difference.largest.magnitude, 2.0 * kMax);
 }
 
-TEST(Difference, LeavesOutAndCountsInfinitePixels) {
+TEST(DifferenceTest, LeavesOutAndCountsInfinitePixels) {
     // Infinite in A, in B, in both; the last pixel alone counts.
     const Image a = make(4, 1, {{kInfinity, 0, 0}, {7, 7, 7}, {0, -kInfinity, 0}, {1, 1, 1.5f}});
     const Image b = make(4, 1, {{9, 9, 9}, {7, 7, kInfinity}, {0, -kInfinity, 0}, {1, 1, 1}});
@@ -100,14 +100,14 @@ void expectRefused(const Image& a, const Image& b, const std::string& message) {
     }
 }
 
-TEST(RequireComparable, RefusesOtherSizes) {
+TEST(RequireComparableTest, RefusesOtherSizes) {
     expectRefused(Image(2, 3), Image(3, 2),
                   "a.exr: the picture has 2 x 3 pixels and 'b.exr' has 3 x 2");
     expectRefused(Image(2, 3), Image(2, 4),
                   "a.exr: the picture has 2 x 3 pixels and 'b.exr' has 2 x 4");
 }
 
-TEST(RequireComparable, RefusesNanAndSaysWhere) {
+TEST(RequireComparableTest, RefusesNanAndSaysWhere) {
     Image broken = kA;
     broken.at(1, 0).z = NAN;
     broken.at(0, 1) = {NAN, NAN, 0};
@@ -115,7 +115,7 @@ TEST(RequireComparable, RefusesNanAndSaysWhere) {
     expectRefused(kA, broken, "b.exr: 2 of 4 pixels are NaN, the first at (1, 0)");
 }
 
-TEST(RequireComparable, RefusesPicturesWithNothingToCompare) {
+TEST(RequireComparableTest, RefusesPicturesWithNothingToCompare) {
     const Image a = make(2, 1, {{kInfinity, 0, 0}, {0, 0, 0}});
     const Image b = make(2, 1, {{0, 0, 0}, {0, 0, -kInfinity}});
     expectRefused(a, b, "a.exr: no pixel is finite both here and in 'b.exr'");

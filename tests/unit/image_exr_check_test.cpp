@@ -63,22 +63,22 @@ void expectRefused(const std::string& bytes, const std::string& fragment) {
     EXPECT_LT(memory.peak(), (int64_t{128} << 20) + kSanitizerMemory);
 }
 
-TEST(ExrCheck, RefusesAttributesLongerThanTheFile) {
+TEST(ExrCheckTest, RefusesAttributesLongerThanTheFile) {
     std::string bytes = exrBytes();
     setInt(bytes, valueOf(bytes, "calotype:version", "string") - 4, 0x40000000);
     expectRefused(bytes, "ttribute");
 }
 
-TEST(ExrCheck, RefusesSidesLargerThanAnyFilm) {
+TEST(ExrCheckTest, RefusesSidesLargerThanAnyFilm) {
     expectRefused(withWindowTo(exrBytes(), 65535, kHeight - 1), "largest side of 65535");
     expectRefused(withWindowTo(exrBytes(), kWidth - 1, 65535), "largest side of 65535");
 }
 
-TEST(ExrCheck, RefusesMoreChunksThanTheFileHasRoomFor) {
+TEST(ExrCheckTest, RefusesMoreChunksThanTheFileHasRoomFor) {
     expectRefused(withWindowTo(exrBytes(), kWidth - 1, 60000), "its end is missing");
 }
 
-TEST(ExrCheck, RefusesChunksOfExcessiveSize) {
+TEST(ExrCheckTest, RefusesChunksOfExcessiveSize) {
     // 256 rows of 65535 pixels of 5 floats are 336 MB.
     Imf::Header header(static_cast<int>(kWidth), static_cast<int>(kHeight));
     header.compression() = Imf::DWAB_COMPRESSION;
@@ -89,7 +89,7 @@ TEST(ExrCheck, RefusesChunksOfExcessiveSize) {
     expectRefused(withWindowTo(readBytes(folder / "a.exr"), 65534, kHeight - 1), "256 MiB");
 }
 
-TEST(ExrCheck, RefusesDeepPixels) {
+TEST(ExrCheckTest, RefusesDeepPixels) {
     Imf::Header header(static_cast<int>(kWidth), static_cast<int>(kHeight));
     header.compression() = Imf::ZIPS_COMPRESSION;
     header.setType(Imf::DEEPSCANLINE);
@@ -99,7 +99,7 @@ TEST(ExrCheck, RefusesDeepPixels) {
     expectRefused(readBytes(folder / "a.exr"), "deep");
 }
 
-TEST(ExrCheck, SpendsNoMemoryOnPixelsThatAreNotThere) {
+TEST(ExrCheckTest, SpendsNoMemoryOnPixelsThatAreNotThere) {
     // Room for a table of a hundred blocks of 16 rows, which would be 1.3 GB of pixels.
     constexpr uint32_t kBlocks = 100;
     const std::string bytes = exrBytes() + std::string(8 * kBlocks, '\0');

@@ -34,7 +34,7 @@ Image gradient(uint32_t width, uint32_t height) {
     return image;
 }
 
-TEST(Exr, ComesBackBitForBit) {
+TEST(ExrTest, ComesBackBitForBit) {
     const float infinity = std::numeric_limits<float>::infinity();
     Image image = gradient(50, 41);
     image.at(0, 0) = {-1.5f, 1e-30f, 1e30f};
@@ -51,7 +51,7 @@ TEST(Exr, ComesBackBitForBit) {
     EXPECT_EQ(folder.entries(), 1u);
 }
 
-TEST(Exr, HeaderSaysHowThePictureCameAbout) {
+TEST(ExrTest, HeaderSaysHowThePictureCameAbout) {
     Picture picture{gradient(4, 3)};
     picture.metadata = {{"version", "1.2.3"}, {"sceneHash", "0123456789abcdef"},
                         {"seed", 4e9},        {"sampler", "sobol"},
@@ -75,7 +75,7 @@ TEST(Exr, HeaderSaysHowThePictureCameAbout) {
         EXPECT_EQ(header.channels()[name].type, Imf::FLOAT) << name;
 }
 
-TEST(Exr, CropLiesWhereItBelongs) {
+TEST(ExrTest, CropLiesWhereItBelongs) {
     Picture picture{gradient(4, 3)};
     picture.crop = CropPlacement{5, 7, 640, 480};
     const ScratchFolder folder;
@@ -114,7 +114,7 @@ void writeForeignExr(const std::filesystem::path& path, std::vector<const char*>
     file.writePixels(1);
 }
 
-TEST(Exr, ReadsHalvesByTheNamesOfTheirChannels) {
+TEST(ExrTest, ReadsHalvesByTheNamesOfTheirChannels) {
     const ScratchFolder folder;
     writeForeignExr(folder / "a.exr", {"R", "A", "B", "G"});
     const Image image = readExr(folder / "a.exr");
@@ -124,7 +124,7 @@ TEST(Exr, ReadsHalvesByTheNamesOfTheirChannels) {
     EXPECT_EQ(image.at(1, 0), glm::vec3(0.5f, 3.5f, 2.5f));
 }
 
-TEST(Exr, RefusesWhatItCannotRead) {
+TEST(ExrTest, RefusesWhatItCannotRead) {
     const ScratchFolder folder;
     EXPECT_THROW(readExr(folder / "missing.exr"), SceneError);
     writeBytes(folder / "text.exr", "no picture at all");

@@ -31,7 +31,7 @@ glm::dvec3 oklab(const glm::u8vec3& color) {
 }
 
 // In 16 steps each is 0.054; 8 bits place a colour to within about 0.003, most in the dark.
-TEST(FalseColor, StepsLookEquallyLargeAndGrowLighter) {
+TEST(FalseColorTest, StepsLookEquallyLargeAndGrowLighter) {
     constexpr int kSteps = 16;
     constexpr double kPlacement = 0.003;
     const double lightnessStep = (0.90 - 0.25) / kSteps;
@@ -45,13 +45,13 @@ TEST(FalseColor, StepsLookEquallyLargeAndGrowLighter) {
     }
 }
 
-TEST(FalseColor, IsClamped) {
+TEST(FalseColorTest, IsClamped) {
     EXPECT_EQ(falseColor(-1.0), falseColor(0.0));
     EXPECT_EQ(falseColor(2.0), falseColor(1.0));
 }
 
 // docs/pictures.md lists these colours.
-TEST(DifferencePicture, ShowsKnownDifferences) {
+TEST(DifferencePictureTest, ShowsKnownDifferences) {
     const struct {
         float difference; ///< from black, in every channel: ten times as much relatively
         glm::u8vec3 color;
@@ -65,7 +65,7 @@ TEST(DifferencePicture, ShowsKnownDifferences) {
     }
 }
 
-TEST(DifferencePicture, WeighsByTheReferenceAndAveragesTheChannels) {
+TEST(DifferencePictureTest, WeighsByTheReferenceAndAveragesTheChannels) {
     Image a(2, 1);
     Image b(2, 1);
     // 0.01 of 1 in every channel, and once in one channel: the root of a third.
@@ -78,7 +78,7 @@ TEST(DifferencePicture, WeighsByTheReferenceAndAveragesTheChannels) {
     EXPECT_NE(picture.at(0, 0), picture.at(1, 0));
 }
 
-TEST(DifferencePicture, MarksInfinitePixels) {
+TEST(DifferencePictureTest, MarksInfinitePixels) {
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
     Image a(3, 1);
     Image b(3, 1);

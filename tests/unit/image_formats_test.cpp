@@ -22,7 +22,7 @@ using test::readBytes;
 using test::ScratchFolder;
 using test::writeBytes;
 
-TEST(ImageFormat, IsNamedByTheExtensionInAnyCase) {
+TEST(ImageFormatTest, IsNamedByTheExtensionInAnyCase) {
     EXPECT_EQ(imageFormatOf("a/b.png"), ImageFormat::Png);
     EXPECT_EQ(imageFormatOf("b.EXR"), ImageFormat::Exr);
     EXPECT_EQ(imageFormatOf("b.old.Pfm"), ImageFormat::Pfm);
@@ -30,7 +30,7 @@ TEST(ImageFormat, IsNamedByTheExtensionInAnyCase) {
         EXPECT_EQ(imageFormatOf(unknown), std::nullopt) << unknown;
 }
 
-TEST(Png, IsDecodedToTheSamePixels) {
+TEST(PngTest, IsDecodedToTheSamePixels) {
     Rgb8Image image(37, 23);
     for (uint32_t y = 0; y < image.height; ++y)
         for (uint32_t x = 0; x < image.width; ++x)
@@ -48,7 +48,7 @@ TEST(Png, IsDecodedToTheSamePixels) {
     stbi_image_free(pixels);
 }
 
-TEST(Png, RefusesMorePixelsThanItsEncoderCounts) {
+TEST(PngTest, RefusesMorePixelsThanItsEncoderCounts) {
     Rgb8Image image(1, 1);
     image.width = image.height = 30000;
     const ScratchFolder folder;
@@ -60,7 +60,7 @@ TEST(Png, RefusesMorePixelsThanItsEncoderCounts) {
     }
 }
 
-TEST(Pfm, IsLittleEndianFromTheBottomRow) {
+TEST(PfmTest, IsLittleEndianFromTheBottomRow) {
     Image image(1, 2);
     image.at(0, 0) = {1.0f, 2.0f, 3.0f};
     image.at(0, 1) = {-4.0f, 5.0f, 6.0f};
@@ -73,7 +73,7 @@ TEST(Pfm, IsLittleEndianFromTheBottomRow) {
     EXPECT_EQ(readBytes(folder / "a.pfm"), expected);
 }
 
-TEST(Pfm, ComesBackBitForBit) {
+TEST(PfmTest, ComesBackBitForBit) {
     const float infinity = std::numeric_limits<float>::infinity();
     Image image(3, 2);
     image.pixels = {{-1.5f, 1e-30f, 1e30f},
@@ -90,13 +90,13 @@ TEST(Pfm, ComesBackBitForBit) {
     EXPECT_EQ(std::memcmp(read.pixels.data(), image.pixels.data(), 6 * sizeof(glm::vec3)), 0);
 }
 
-TEST(Pfm, ReadsBigEndian) {
+TEST(PfmTest, ReadsBigEndian) {
     const ScratchFolder folder;
     writeBytes(folder / "a.pfm", std::string("PF 1 1 1.0\n\x3f\x80\0\0\x40\0\0\0\xc0\x40\0\0", 23));
     EXPECT_EQ(readPfm(folder / "a.pfm").at(0, 0), glm::vec3(1.0f, 2.0f, -3.0f));
 }
 
-TEST(Pfm, RefusesWhatIsNotWhole) {
+TEST(PfmTest, RefusesWhatIsNotWhole) {
     const ScratchFolder folder;
     EXPECT_THROW(readPfm(folder / "missing.pfm"), SceneError);
     const std::string pixel(12, '\0');

@@ -34,7 +34,7 @@ std::string largeTga(uint32_t width, uint32_t height) {
     return bytes += {0, 4, 5, 6};
 }
 
-TEST(LargestTexture, OfSixteenThousandTexelsSquaredIsRead) {
+TEST(LargestTextureTest, OfSixteenThousandTexelsSquaredIsRead) {
     const std::string file = largeTga(kSide, kSide);
     TexelImage image;
     const MemoryGauge memory;
@@ -56,7 +56,7 @@ TEST(LargestTexture, OfSixteenThousandTexelsSquaredIsRead) {
     EXPECT_LT(memory.peak(), (int64_t{2200} << 20) + kSanitizerMemory);
 }
 
-TEST(LargestTexture, OfOneTexelMoreIsRefused) {
+TEST(LargestTextureTest, OfOneTexelMoreIsRefused) {
     for (const auto& [width, height] : {std::pair(kSide + 1, 1u), std::pair(1u, kSide + 1)}) {
         const std::string file = largeTga(width, height);
         const SceneError error = errorOf([&] { readTexelImage(file, kSide, "large.tga"); });

@@ -62,7 +62,7 @@ void expectSame(const FirstHitImage& a, const FirstHitImage& b) {
     EXPECT_EQ(std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(FirstHit)), 0);
 }
 
-TEST(Layers, AreThoseOfTheTable) {
+TEST(LayersTest, AreThoseOfTheTable) {
     EXPECT_EQ(namesOf(allLayers()), "albedo, normal, depth, position, primitive, uv, error");
     EXPECT_EQ(namesOf(layersOfFilms()), "error");
     EXPECT_EQ(findLayer("position")->channels,
@@ -72,7 +72,7 @@ TEST(Layers, AreThoseOfTheTable) {
     EXPECT_FALSE(hasSource(layersOfFilms(), LayerSource::FirstHit));
 }
 
-TEST(Layers, OfErrorsAreTheirNumbers) {
+TEST(LayersTest, OfErrorsAreTheirNumbers) {
     const std::vector<PixelError> errors = {{1.0f, 2.0f}, {3.0f, 4.0f}};
     const std::vector<Channel> channels = channelsOf(*findLayer("error"), errors);
     ASSERT_EQ(channels.size(), 2u);
@@ -82,7 +82,7 @@ TEST(Layers, OfErrorsAreTheirNumbers) {
     EXPECT_EQ(std::get<0>(channels[1].pixels), (std::vector<float>{2.0f, 4.0f}));
 }
 
-TEST(Layers, ComeBackBitForBit) {
+TEST(LayersTest, ComeBackBitForBit) {
     const FirstHitImage hits = distinctHits(21, 34);
     const ScratchFolder folder;
     writeExr(folder / "a.exr", pictureWith(hits, kAllLayers));
@@ -91,7 +91,7 @@ TEST(Layers, ComeBackBitForBit) {
 }
 
 // A crop's data window does not begin at the film's origin.
-TEST(Layers, OfACropComeBackToo) {
+TEST(LayersTest, OfACropComeBackToo) {
     const FirstHitImage hits = distinctHits(5, 4);
     Picture picture = pictureWith(hits, kAllLayers);
     picture.crop = CropPlacement{600, 470, 640, 480};
@@ -115,7 +115,7 @@ std::vector<float> channelOf(const std::filesystem::path& path, const char* name
 }
 
 // OpenEXR's own rule for layers, which Blender and Nuke follow: the name before the last dot.
-TEST(Layers, HaveTheNamesThatOthersRead) {
+TEST(LayersTest, HaveTheNamesThatOthersRead) {
     const FirstHitImage hits = distinctHits(3, 2);
     const ScratchFolder folder;
     writeExr(folder / "a.exr", pictureWith(hits, kAllLayers));
@@ -144,7 +144,7 @@ TEST(Layers, HaveTheNamesThatOthersRead) {
     }
 }
 
-TEST(Layers, AreThoseThatAreWanted) {
+TEST(LayersTest, AreThoseThatAreWanted) {
     const FirstHitImage hits = distinctHits(4, 3);
     const ScratchFolder folder;
     writeExr(folder / "a.exr", pictureWith(hits, {"primitive", "depth"}));
@@ -156,7 +156,7 @@ TEST(Layers, AreThoseThatAreWanted) {
     expectSame(readFirstHits(folder / "a.exr"), expected);
 }
 
-TEST(Layers, AreNotReadFromWhatHasNone) {
+TEST(LayersTest, AreNotReadFromWhatHasNone) {
     const ScratchFolder folder;
     EXPECT_THROW(readFirstHits(folder / "missing.exr"), SceneError);
     writeBytes(folder / "text.exr", "no picture at all");

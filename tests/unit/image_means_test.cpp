@@ -13,13 +13,13 @@ Image make(uint32_t width, uint32_t height, std::vector<glm::vec3> pixels) {
     return image;
 }
 
-TEST(ImageMean, AveragesEachChannelInDouble) {
+TEST(ImageMeanTest, AveragesEachChannelInDouble) {
     EXPECT_EQ(imageMean(make(2, 1, {{1, 2, 3}, {3, 6, -3}})), glm::dvec3(2, 4, 0));
     EXPECT_EQ(imageMean(make(2, 1, {{16777216, 0, 0}, {1, 0, 0}})).r, 8388608.5);
     EXPECT_THROW(imageMean(Image()), Error);
 }
 
-TEST(BoxDownsample, AveragesSquares) {
+TEST(BoxDownsampleTest, AveragesSquares) {
     const Image image = make(
         4, 2,
         {{1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {0, 1, 0}, {3, 0, 4}, {6, 0, 0}, {0, 1, 0}, {0, 5, 0}});
@@ -30,7 +30,7 @@ TEST(BoxDownsample, AveragesSquares) {
     EXPECT_EQ(small.at(1, 0), glm::vec3(0, 2, 0));
 }
 
-TEST(BoxDownsample, RefusesAFactorThatDoesNotDivide) {
+TEST(BoxDownsampleTest, RefusesAFactorThatDoesNotDivide) {
     EXPECT_THROW(boxDownsample(Image(4, 2), 4), Error);
     EXPECT_THROW(boxDownsample(Image(4, 2), 0), Error);
 }

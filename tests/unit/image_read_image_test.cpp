@@ -24,7 +24,7 @@ using test::readBytes;
 using test::ScratchFolder;
 using test::writeBytes;
 
-class ReadImage : public testing::Test {
+class ReadImageTest : public testing::Test {
 protected:
     Image read(const std::string& bytes) const {
         writeBytes(folder_ / "picture", bytes);
@@ -61,7 +61,7 @@ Image twoByTwo() {
     return image;
 }
 
-TEST_F(ReadImage, TakesFloatsAsTheyAre) {
+TEST_F(ReadImageTest, TakesFloatsAsTheyAre) {
     const Image image = twoByTwo();
     writePfm(folder_ / "a.pfm", image);
     for (const std::string& bytes : {exrOf(image), readBytes(folder_ / "a.pfm")}) {
@@ -72,7 +72,7 @@ TEST_F(ReadImage, TakesFloatsAsTheyAre) {
     }
 }
 
-TEST_F(ReadImage, DecodesRgbeButNoCurve) {
+TEST_F(ReadImageTest, DecodesRgbeButNoCurve) {
     const Image image = read("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 1\n"
                              "\x80\x40\x20\x81\x80\x80\x80\0"s);
     ASSERT_EQ(image.pixels.size(), 2u);
@@ -81,7 +81,7 @@ TEST_F(ReadImage, DecodesRgbeButNoCurve) {
 }
 
 // The expected values are those of IEC 61966-2-1, to seven digits.
-TEST_F(ReadImage, DecodesPngsFromSrgb) {
+TEST_F(ReadImageTest, DecodesPngsFromSrgb) {
     const Image bytes = read(pngOf(2, 1, {{0, 10, 11, 7}, {128, 188, 255, 255}}));
     ASSERT_EQ(bytes.pixels.size(), 2u);
     constexpr float kTolerance = 3e-7f; // of the float power and of the digits given here
@@ -100,7 +100,7 @@ TEST_F(ReadImage, DecodesPngsFromSrgb) {
     EXPECT_NEAR(words.at(0, 0).b, 1.0f / 65535.0f / 12.92f, 1e-12f);
 }
 
-TEST_F(ReadImage, RefusesWhatIsNoFile) {
+TEST_F(ReadImageTest, RefusesWhatIsNoFile) {
     expectFileRefused(folder_ / "missing.exr", "check that it exists");
     expectFileRefused(folder_.path(), "not a regular file");
     ASSERT_EQ(mkfifo((folder_ / "pipe.pfm").c_str(), 0600), 0);
@@ -108,7 +108,7 @@ TEST_F(ReadImage, RefusesWhatIsNoFile) {
     expectFileRefused(std::filesystem::path("/dev/zero"), "not a regular file");
 }
 
-TEST_F(ReadImage, RefusesOtherKinds) {
+TEST_F(ReadImageTest, RefusesOtherKinds) {
     for (const std::string& bytes :
          {std::string(), std::string("P"), std::string("P6\n1 1\n255\nabc"), std::string(100, '\0'),
           std::string("\xff\xd8\xff\xe0....JFIF"), std::string("{ \"camera\": {} }")})
@@ -116,7 +116,7 @@ TEST_F(ReadImage, RefusesOtherKinds) {
     expectRefused("Pf\n1 1\n-1\n1234", "PFM (colour)");
 }
 
-TEST_F(ReadImage, RefusesWhatIsDamaged) {
+TEST_F(ReadImageTest, RefusesWhatIsDamaged) {
     writePfm(folder_ / "a.pfm", twoByTwo());
     const std::string pfm = readBytes(folder_ / "a.pfm");
     expectRefused(pfm.substr(0, pfm.size() - 1), "not 2 x 2 pixels");
@@ -140,7 +140,7 @@ std::string withDataWindow(std::string exr, int32_t lastX, int32_t lastY) {
     return exr;
 }
 
-TEST_F(ReadImage, RefusesMorePixelsThanItTakes) {
+TEST_F(ReadImageTest, RefusesMorePixelsThanItTakes) {
     const std::string exr = exrOf(twoByTwo());
     EXPECT_EQ(read(withDataWindow(exr, 1, 1)).pixels, twoByTwo().pixels); // the name is found
     expectRefused(withDataWindow(exr, 65535, 1), "largest side of 65535");
@@ -158,7 +158,7 @@ TEST_F(ReadImage, RefusesMorePixelsThanItTakes) {
 }
 
 // A few bytes claim to be three GiB of pixels.
-TEST_F(ReadImage, ClaimsOfManyPixelsTakeNoMemory) {
+TEST_F(ReadImageTest, ClaimsOfManyPixelsTakeNoMemory) {
     const auto peakKilobytes = [] {
         rusage usage{};
         getrusage(RUSAGE_SELF, &usage);

@@ -41,7 +41,7 @@ void expectTexels(const TexelImage& image, int tolerance) {
             EXPECT_NEAR(image.bytes[4 * i + k], kTexels[i][k], tolerance) << i << " " << k;
 }
 
-TEST(ReadTexelImage, ReadsPngBmpAndTgaExactly) {
+TEST(ReadTexelImageTest, ReadsPngBmpAndTgaExactly) {
     std::string bmp;
     std::string tga;
     std::string flatTga;
@@ -59,7 +59,7 @@ TEST(ReadTexelImage, ReadsPngBmpAndTgaExactly) {
     }
 }
 
-TEST(ReadTexelImage, ReadsJpegNearly) {
+TEST(ReadTexelImageTest, ReadsJpegNearly) {
     // One colour, since sharp ones blur.
     std::string jpeg;
     const std::vector<Rgba8> grey(64, Rgba8{77, 77, 77, 255});
@@ -73,7 +73,7 @@ TEST(ReadTexelImage, ReadsJpegNearly) {
     expectRefused(jpeg.substr(0, 30), "JPEG is corrupt");
 }
 
-TEST(ReadTexelImage, KeepsSixteenBits) {
+TEST(ReadTexelImageTest, KeepsSixteenBits) {
     // Grey and alpha: 0x0102 of 0xffff, and 0x8000 of alpha 0x00ff.
     const std::string rows("\0\x01\x02\xff\xff\x80\x00\x00\xff", 9);
     const TexelImage image = read(pngFile(2, 1, 16, 4, rows));
@@ -87,12 +87,12 @@ TEST(ReadTexelImage, KeepsSixteenBits) {
         EXPECT_EQ(image.floats[i], static_cast<float>(expected[i]) / 65535.0f) << i;
 }
 
-TEST(ReadTexelImage, TellsWhetherAnythingIsTransparent) {
+TEST(ReadTexelImageTest, TellsWhetherAnythingIsTransparent) {
     EXPECT_FALSE(read(pngOf({1, 2, 3, 255})).isTransparent);
     EXPECT_TRUE(read(pngOf({1, 2, 3, 254})).isTransparent);
 }
 
-TEST(ReadTexelImage, RefusesHuffmanTablesThatOverflow) {
+TEST(ReadTexelImageTest, RefusesHuffmanTablesThatOverflow) {
     std::string jpeg;
     const std::vector<Rgba8> grey(64, Rgba8{77, 77, 77, 255});
     stbi_write_jpg_to_func(appendTo, &jpeg, 8, 8, 4, grey.data(), 100);
@@ -102,7 +102,7 @@ TEST(ReadTexelImage, RefusesHuffmanTablesThatOverflow) {
     expectRefused(jpeg.substr(0, 2) + segment + jpeg.substr(2), "malformed");
 }
 
-TEST(ReadTexelImage, ReadsNoMemoryThatWasNeverWritten) {
+TEST(ReadTexelImageTest, ReadsNoMemoryThatWasNeverWritten) {
     // A JPEG that has lost its Huffman tables: whatever malloc returns stood in for them.
     std::string jpeg;
     const std::vector<Rgba8> grey(64, Rgba8{77, 77, 77, 255});
@@ -122,7 +122,7 @@ std::string hdrFile(uint32_t width, uint32_t height, const std::string& pixels) 
            std::to_string(height) + " +X " + std::to_string(width) + "\n" + pixels;
 }
 
-TEST(ReadHdr, ReadsFlatRowsFromTheTop) {
+TEST(ReadHdrTest, ReadsFlatRowsFromTheTop) {
     // 128 at exponent 129 is 1; exponent 0 is black whatever the mantissas say.
     const TexelImage image =
         read(hdrFile(1, 2, std::string("\x80\x40\x20\x81\x80\x80\x80\x00", 8)));
@@ -131,7 +131,7 @@ TEST(ReadHdr, ReadsFlatRowsFromTheTop) {
     EXPECT_FALSE(image.isTransparent);
 }
 
-TEST(ReadHdr, AgreesWithTheWriterOnEncodedRows) {
+TEST(ReadHdrTest, AgreesWithTheWriterOnEncodedRows) {
     constexpr int kWidth = 40;
     constexpr int kHeight = 3;
     std::vector<float> colors;
@@ -151,7 +151,7 @@ TEST(ReadHdr, AgreesWithTheWriterOnEncodedRows) {
         EXPECT_THROW(read(file.substr(0, length)), SceneError) << length;
 }
 
-TEST(ReadHdr, RefusesWhatItCannotRead) {
+TEST(ReadHdrTest, RefusesWhatItCannotRead) {
     expectRefused(hdrFile(2, 2, "short"), "incomplete");
     expectRefused("#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\nabcd", "XYZ");
     expectRefused("#?RADIANCE\n\n+Y 1 +X 1\nabcd", "order");
@@ -164,7 +164,7 @@ TEST(ReadHdr, RefusesWhatItCannotRead) {
     expectRefused(hdrFile(8, 1, encodedRow + std::string(64, '\x89')), "a run of pixels");
 }
 
-TEST(ReadTexelImage, RefusesWhatIsNoImage) {
+TEST(ReadTexelImageTest, RefusesWhatIsNoImage) {
     for (const std::string& file :
          {std::string(), std::string("x"), std::string(100, '\0'), std::string("GIF89a\1\0\1\0"),
           std::string("RIFF....WEBPVP8 "), std::string("newmtl a\nKd 1 1 1\nmap_Kd a.png\n"),
@@ -172,7 +172,7 @@ TEST(ReadTexelImage, RefusesWhatIsNoImage) {
         expectRefused(file, "PNG, JPEG, TGA, BMP and HDR");
 }
 
-TEST(ReadTexelImage, LimitsSidesBeforeDecoding) {
+TEST(ReadTexelImageTest, LimitsSidesBeforeDecoding) {
     // The rows are missing; only the header counts.
     for (const auto& [width, height] : {std::pair(65u, 1u), std::pair(1u, 65u)}) {
         expectRefused(pngFile(width, height, 8, 6, ""), "64; scale it down");
@@ -186,7 +186,7 @@ TEST(ReadTexelImage, LimitsSidesBeforeDecoding) {
     EXPECT_EQ(read(pngFile(64, 1, 1, 0, std::string(9, '\0'))).width, 64u);
 }
 
-TEST(ReadTexelImage, PngsMustBeWhole) {
+TEST(ReadTexelImageTest, PngsMustBeWhole) {
     const std::string file = pngOf(2, 2, kTexels);
     // Any bit of the image's data or size may be the wrong one.
     for (size_t at = 8; at < file.size(); ++at) {
@@ -201,7 +201,7 @@ TEST(ReadTexelImage, PngsMustBeWhole) {
     expectTexels(read(file.substr(0, 33) + comment + file.substr(33)), 0);
 }
 
-TEST(ReadTexelImage, ClaimsOfMuchDataTakeNoMemory) {
+TEST(ReadTexelImageTest, ClaimsOfMuchDataTakeNoMemory) {
     // 100 MB of zeros pack into 100 kB; as one row of an image of 1 x 1 they are refused.
     std::string blocks = "\x78\x01";
     std::string png = pngFile(1, 1, 8, 0, std::string(2, '\0'));
@@ -228,7 +228,7 @@ TEST(ReadTexelImage, ClaimsOfMuchDataTakeNoMemory) {
     expectRefused(file, "outofmem");
 }
 
-TEST(ChannelImage, TakesOneChannel) {
+TEST(ChannelImageTest, TakesOneChannel) {
     const TexelImage image = read(pngOf({10, 20, 30, 40}, 1));
     EXPECT_EQ(greyImage(image, TexelChannel::Green).bytes, (std::vector<uint8_t>{20, 20, 20, 255}));
     EXPECT_EQ(alphaImage(image, TexelChannel::Alpha).bytes,

@@ -15,7 +15,7 @@ TexelImage floatsOf(const std::vector<float>& floats, bool isEncoded) {
     return {static_cast<uint32_t>(floats.size() / 4), 1, {}, floats, isEncoded, false};
 }
 
-TEST(TexelRange, IsOfEachColour) {
+TEST(TexelRangeTest, IsOfEachColour) {
     const TexelRange bytes =
         texelRange(bytesOf({51, 102, 0, 1, 153, 0, 255, 2, 0, 204, 102, 3}, true));
     EXPECT_EQ(bytes.least, glm::dvec3(0.0));
@@ -28,7 +28,7 @@ TEST(TexelRange, IsOfEachColour) {
     EXPECT_EQ(floats.greatest, glm::dvec3(3.0, 0.5, 8.0));
 }
 
-TEST(MeanColor, DecodesBeforeItAverages) {
+TEST(MeanColorTest, DecodesBeforeItAverages) {
     // IEC 61966-2-1: 128 / 255 is 0.2158605 in linear light.
     const TexelImage bytes = bytesOf({255, 128, 0, 7, 0, 128, 0, 9}, true);
     const glm::dvec3 linear = meanColor(bytes, true);

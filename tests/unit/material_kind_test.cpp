@@ -17,7 +17,7 @@ Material ofType(MaterialType type) {
     return material;
 }
 
-TEST(MaterialKind, ListIsInTheOrderOfTheTypes) {
+TEST(MaterialKindTest, ListIsInTheOrderOfTheTypes) {
     EXPECT_EQ(kindOf(ofType(MaterialType::Diffuse)).name, "diffuse");
     EXPECT_EQ(kindOf(ofType(MaterialType::Metal)).name, "metal");
     EXPECT_EQ(kindOf(ofType(MaterialType::Nonmetal)).name, "nonmetal");
@@ -26,7 +26,7 @@ TEST(MaterialKind, ListIsInTheOrderOfTheTypes) {
     EXPECT_EQ(materialKinds().size(), 5u);
 }
 
-TEST(MaterialKind, PacksItsLobes) {
+TEST(MaterialKindTest, PacksItsLobes) {
     const auto lobesOf = [](const Material& material) {
         shared::Material packed{};
         kindOf(material).pack(material, packed);
@@ -47,7 +47,7 @@ TEST(MaterialKind, PacksItsLobes) {
     EXPECT_NE(lobesOf(normalized) & shared::kNormalizedLobe, 0u);
 }
 
-TEST(MaterialKind, ParametersHaveNamesAndDescriptionsOfTheirOwn) {
+TEST(MaterialKindTest, ParametersHaveNamesAndDescriptionsOfTheirOwn) {
     for (const MaterialKind& kind : materialKinds()) {
         EXPECT_FALSE(kind.description.empty()) << kind.name;
         std::set<std::string> names;
@@ -59,7 +59,7 @@ TEST(MaterialKind, ParametersHaveNamesAndDescriptionsOfTheirOwn) {
     }
 }
 
-TEST(MaterialKind, DefaultsLieInTheirRanges) {
+TEST(MaterialKindTest, DefaultsLieInTheirRanges) {
     for (const MaterialKind& kind : materialKinds()) {
         for (const MaterialParameter& parameter : kind.parameters) {
             const auto* number = std::get_if<NumberParameter>(&parameter.value);

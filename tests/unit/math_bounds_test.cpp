@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-TEST(Bounds, AreEmptyUntilExtended) {
+TEST(BoundsTest, AreEmptyUntilExtended) {
     Bounds3d bounds;
     EXPECT_TRUE(bounds.isEmpty());
     bounds.extend(glm::dvec3(1.0, 2.0, 3.0));
@@ -24,7 +24,7 @@ TEST(Bounds, AreEmptyUntilExtended) {
     EXPECT_EQ(bounds.upper, glm::dvec3(1.0, 6.0, 4.0));
 }
 
-TEST(Bounds, ContainWhatLiesWithinOnAllAxes) {
+TEST(BoundsTest, ContainWhatLiesWithinOnAllAxes) {
     const Bounds3d box{glm::dvec3(0.0), glm::dvec3(1.0)};
     EXPECT_TRUE(box.contains(box));
     EXPECT_TRUE(box.contains(Bounds3d{}));
@@ -38,12 +38,12 @@ TEST(Bounds, ContainWhatLiesWithinOnAllAxes) {
     }
 }
 
-TEST(Bounds, HalfAreaIsOfThreeSides) {
+TEST(BoundsTest, HalfAreaIsOfThreeSides) {
     EXPECT_DOUBLE_EQ(halfArea(Bounds3f{{0, 0, 0}, {1, 2, 3}}), 2.0 + 6.0 + 3.0);
     EXPECT_DOUBLE_EQ(halfArea(Bounds3f{{0, 1, 0}, {2, 1, 3}}), 6.0);
 }
 
-TEST(OutwardRounding, FindsTheNearestFloatsOnBothSides) {
+TEST(OutwardRoundingTest, FindsTheNearestFloatsOnBothSides) {
     RandomNumbers random(51);
     for (int i = 0; i < 100'000; ++i) {
         const double x = random.sign() * random.powerOfTen(-44.0, 38.0);
@@ -56,7 +56,7 @@ TEST(OutwardRounding, FindsTheNearestFloatsOnBothSides) {
     }
 }
 
-TEST(OutwardRounding, KeepsFloatsAndSurvivesTheEnds) {
+TEST(OutwardRoundingTest, KeepsFloatsAndSurvivesTheEnds) {
     for (const float x : {0.0f, -0.0f, 1.0f, -3.5f, 0x1p-149f, std::numeric_limits<float>::max()}) {
         EXPECT_EQ(roundDown(x), x);
         EXPECT_EQ(roundUp(x), x);

@@ -23,7 +23,7 @@ std::string boxObj(const glm::dvec3& lower, const glm::dvec3& upper) {
     return text + "f 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\nf 2 6 8 4\n";
 }
 
-class ModelScene : public testing::Test {
+class ModelSceneTest : public testing::Test {
 protected:
     Scene load(const std::string& obj) { return loadScene(files_.write("m.obj", obj)); }
 
@@ -47,7 +47,7 @@ double reach(const Scene& scene) {
     return furthest;
 }
 
-TEST_F(ModelScene, ModelsOfEverySizeAndShapeFillNineTenths) {
+TEST_F(ModelSceneTest, ModelsOfEverySizeAndShapeFillNineTenths) {
     const std::vector<std::pair<glm::dvec3, glm::dvec3>> boxes = {
         {{-1, -1, -1}, {1, 1, 1}},    {{0, 0, 0}, {1e-3, 2e-3, 1e-3}},
         {{0, 0, 0}, {1e5, 2e4, 3e4}}, {{-5, 0, -0.1}, {5, 0.1, 0.1}},
@@ -66,7 +66,7 @@ TEST_F(ModelScene, ModelsOfEverySizeAndShapeFillNineTenths) {
     }
 }
 
-TEST_F(ModelScene, StandsOnAFloorThatFillsThePicture) {
+TEST_F(ModelSceneTest, StandsOnAFloorThatFillsThePicture) {
     for (const double size : {1e-3, 1.0, 1e5}) {
         const Scene scene = load(boxObj({0, 0, 0}, {size, 3 * size, size}));
         const Shape& shape = scene.shapes.at(1);
@@ -100,7 +100,7 @@ double irradiance(const Scene& scene, const Shape& light, const glm::dvec3& targ
            (distance * distance * distance);
 }
 
-TEST_F(ModelScene, IsLitAlikeWhateverItsSize) {
+TEST_F(ModelSceneTest, IsLitAlikeWhateverItsSize) {
     std::vector<double> light;
     for (const double size : {1e-3, 1.0, 1e5}) {
         const Scene scene = load(boxObj({0, 0, 0}, {size, size, size}));
@@ -122,7 +122,7 @@ TEST_F(ModelScene, IsLitAlikeWhateverItsSize) {
     EXPECT_NEAR(light[2] / light[1], 1.0, 1e-9);
 }
 
-TEST_F(ModelScene, UndefinedMaterialsAreGreyWithAWarning) {
+TEST_F(ModelSceneTest, UndefinedMaterialsAreGreyWithAWarning) {
     const std::string start = "mtllib none.mtl other.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n";
     files_.write("other.mtl", "newmtl b\nKd 0.25\n");
     const Scene scene = load(start + "f 1 2 3\nusemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\n");
@@ -137,13 +137,13 @@ TEST_F(ModelScene, UndefinedMaterialsAreGreyWithAWarning) {
     EXPECT_NE(scene.warnings[1].find("the undefined material in \"a\""), std::string::npos);
 }
 
-TEST_F(ModelScene, IsChosenByTheExtensionInAnyCase) {
+TEST_F(ModelSceneTest, IsChosenByTheExtensionInAnyCase) {
     const std::string box = boxObj({0, 0, 0}, {1, 1, 1});
     EXPECT_EQ(loadScene(files_.write("M.OBJ", box)).shapes.size(), 4u);
     EXPECT_THROW(loadScene(files_.write("m.obj.json", box)), SceneError);
 }
 
-TEST_F(ModelScene, MistakesAreErrors) {
+TEST_F(ModelSceneTest, MistakesAreErrors) {
     LoadOptions options;
     options.overrides = {{"/render/spp", "4"}};
     const std::string path = files_.write("m.obj", boxObj({0, 0, 0}, {1, 1, 1}));
@@ -159,7 +159,7 @@ TEST_F(ModelScene, MistakesAreErrors) {
                     "m.obj", "too small or too large");
 }
 
-TEST_F(ModelScene, ItsHashIsThatOfItsFiles) {
+TEST_F(ModelSceneTest, ItsHashIsThatOfItsFiles) {
     const uint64_t before = load(boxObj({0, 0, 0}, {1, 1, 1})).hash;
     EXPECT_EQ(load(boxObj({0, 0, 0}, {1, 1, 1})).hash, before);
     EXPECT_NE(load(boxObj({0, 0, 0}, {1, 1, 2})).hash, before);

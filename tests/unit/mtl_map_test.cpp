@@ -8,9 +8,9 @@
 namespace calotype::test {
 namespace {
 
-class MtlMaps : public MtlFixture {};
+class MtlMapsTest : public MtlFixture {};
 
-TEST_F(MtlMaps, MapKdColours) {
+TEST_F(MtlMapsTest, MapKdColours) {
     const Scene scene = load("Kd 0.5 0.5 1\nmap_Kd -s 2 3 -o 0.5 0 -clamp on RED.png\n");
     const Material& material = scene.materials.at(1);
     EXPECT_EQ(material.color, glm::dvec3(0.5, 0.5, 1.0));
@@ -27,7 +27,7 @@ TEST_F(MtlMaps, MapKdColours) {
               glm::dvec3(1.0));
 }
 
-TEST_F(MtlMaps, EqualMapsAreOneTexture) {
+TEST_F(MtlMapsTest, EqualMapsAreOneTexture) {
     files_.write("m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\nusemtl b\n"
                           "f 1 2 3\nusemtl c\nf 1 2 3\n");
     const Scene scene = load("map_Kd red.png\nmap_d grey.png\nnewmtl b\nmap_Kd red.png\n"
@@ -38,7 +38,7 @@ TEST_F(MtlMaps, EqualMapsAreOneTexture) {
     EXPECT_EQ(scene.textures.size(), 3u);
 }
 
-TEST_F(MtlMaps, CutOutsComeFromMapDOrTheColoursAlpha) {
+TEST_F(MtlMapsTest, CutOutsComeFromMapDOrTheColoursAlpha) {
     const auto alphaOf = [&](const Scene& scene) {
         const auto& source = scene.textures.at(scene.materials.at(1).alphaTexture).source;
         return std::get<ImageTexture>(source).image->bytes.at(3);
@@ -51,7 +51,7 @@ TEST_F(MtlMaps, CutOutsComeFromMapDOrTheColoursAlpha) {
     EXPECT_EQ(leaf.alphaTexture, leaf.colorTexture);
 }
 
-TEST_F(MtlMaps, BumpMapsAreHeightsOrNormals) {
+TEST_F(MtlMapsTest, BumpMapsAreHeightsOrNormals) {
     const auto imageOf = [&](const std::string& statements) {
         const Scene scene = load(statements);
         const auto& source = scene.textures.at(scene.materials.at(1).normalMap).source;
@@ -73,7 +73,7 @@ TEST_F(MtlMaps, BumpMapsAreHeightsOrNormals) {
     EXPECT_EQ(imageOf("bump grey.png\nnorm normals.png\n")->bytes.size(), 16u);
 }
 
-TEST_F(MtlMaps, MapKeMultipliesKeByItsMean) {
+TEST_F(MtlMapsTest, MapKeMultipliesKeByItsMean) {
     files_.write("screen.png", pngOf(2, 1, {{255, 128, 0, 255}, {0, 128, 0, 255}}));
     const std::string remark = "map_Ke shines with its mean colour, since emission cannot be "
                                "textured yet, in \"a\"";
@@ -96,7 +96,7 @@ TEST_F(MtlMaps, MapKeMultipliesKeByItsMean) {
     EXPECT_EQ(load("Ke 3\nmap_Ke none.png\n", options).materials.at(1).emission, glm::dvec3(3.0));
 }
 
-TEST_F(MtlMaps, MissingImages) {
+TEST_F(MtlMapsTest, MissingImages) {
     const SceneError error = errorOfLoading("Kd 1\nmap_Kd my rod.png\n");
     expectError(error, "m.mtl:3", "\"my rod.png\"");
     expectError(errorOfLoading("map_d c:\\x\\rad.png\n"), "m.mtl:2", "did you mean \"red.png\"?");
@@ -117,7 +117,7 @@ TEST_F(MtlMaps, MissingImages) {
               3);
 }
 
-TEST_F(MtlMaps, TexturesLieBesideTheirMtl) {
+TEST_F(MtlMapsTest, TexturesLieBesideTheirMtl) {
     std::filesystem::create_directories(files_.path("lib"));
     files_.write("m.obj", "mtllib LIB\\m2.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n");
     files_.write("lib/m2.mtl", "newmtl a\nmap_Kd green.png\n");
@@ -126,7 +126,7 @@ TEST_F(MtlMaps, TexturesLieBesideTheirMtl) {
     EXPECT_EQ(std::get<ImageTexture>(scene.textures.at(0).source).image->bytes[1], 255);
 }
 
-TEST_F(MtlMaps, IgnoredOptionsAreWarnedOfOnce) {
+TEST_F(MtlMapsTest, IgnoredOptionsAreWarnedOfOnce) {
     remarkedMaterialOf("map_Kd -mm 0 0.5 red.png\nbump -mm 0 0.5 -t 1 grey.png\n",
                        "these MTL texture options are not supported yet and were ignored: "
                        "\"-mm\", \"-t\"");

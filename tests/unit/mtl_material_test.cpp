@@ -5,9 +5,9 @@
 namespace calotype::test {
 namespace {
 
-class MtlMaterials : public MtlFixture {};
+class MtlMaterialsTest : public MtlFixture {};
 
-TEST_F(MtlMaterials, DiffuseByDefault) {
+TEST_F(MtlMaterialsTest, DiffuseByDefault) {
     const Material material = materialOf("Ka 1 1 1\nKd 0.1 0.2 0.3\nKs 0 0 0\nNs 10\nNi 1.45\n"
                                          "d 1\nTr 0\nTf 1 1 1\nillum 2\nKe 0 0 0\n");
     EXPECT_EQ(material.type, MaterialType::Diffuse);
@@ -21,16 +21,16 @@ TEST_F(MtlMaterials, DiffuseByDefault) {
     EXPECT_EQ(materialOf("Kd 0.2\nKs 1\nNs 9\nillum 1\n").type, MaterialType::Diffuse);
 }
 
-TEST_F(MtlMaterials, KeywordsCountInAnyCase) {
+TEST_F(MtlMaterialsTest, KeywordsCountInAnyCase) {
     EXPECT_EQ(materialOf("KD 0.25\n").color, glm::dvec3(0.25));
     EXPECT_NE(materialOf("MAP_KD red.png\n").colorTexture, Material::kNoTexture);
 }
 
-TEST_F(MtlMaterials, KeGivesEmission) {
+TEST_F(MtlMaterialsTest, KeGivesEmission) {
     EXPECT_EQ(materialOf("Ke 4 3 2\n").emission, glm::dvec3(4.0, 3.0, 2.0));
 }
 
-TEST_F(MtlMaterials, KsAndNsGiveBlinnPhongThatConservesEnergy) {
+TEST_F(MtlMaterialsTest, KsAndNsGiveBlinnPhongThatConservesEnergy) {
     const Material dim = materialOf("Kd 0.5 0.25 0\nKs 0.1 0.2 0.3\nNs 40\n");
     EXPECT_EQ(dim.type, MaterialType::BlinnPhong);
     EXPECT_TRUE(dim.normalize);
@@ -45,7 +45,7 @@ TEST_F(MtlMaterials, KsAndNsGiveBlinnPhongThatConservesEnergy) {
     EXPECT_DOUBLE_EQ(bright.kd * 0.6 + bright.ks, 1.0);
 }
 
-TEST_F(MtlMaterials, PrAndPmGiveNonmetalAndMetal) {
+TEST_F(MtlMaterialsTest, PrAndPmGiveNonmetalAndMetal) {
     const Material nonmetal = materialOf("Kd 0.6\nPr 0.3\nPm 0.2\nKs 1\nNs 9\n");
     EXPECT_EQ(nonmetal.type, MaterialType::Nonmetal);
     EXPECT_EQ(nonmetal.roughness, 0.3);
@@ -65,7 +65,7 @@ TEST_F(MtlMaterials, PrAndPmGiveNonmetalAndMetal) {
         128);
 }
 
-TEST_F(MtlMaterials, MirrorsAreMetal) {
+TEST_F(MtlMaterialsTest, MirrorsAreMetal) {
     const Material mirror = materialOf("Kd 0.01\nKs 0.95 0.9 0.8\nNs 1000\nillum 5\n");
     EXPECT_EQ(mirror.type, MaterialType::Metal);
     EXPECT_EQ(mirror.roughness, 0.0);
@@ -75,7 +75,7 @@ TEST_F(MtlMaterials, MirrorsAreMetal) {
     EXPECT_EQ(materialOf("Kd 0\nKs 0.9\nNs 9\nillum 2\n").type, MaterialType::BlinnPhong);
 }
 
-TEST_F(MtlMaterials, GlassNeedsItsModelAndTransparency) {
+TEST_F(MtlMaterialsTest, GlassNeedsItsModelAndTransparency) {
     for (const char* statements :
          {"illum 4\nd 0.2\nNi 1.33\n", "illum 6\nTr 0.5\nNi 1.33\n", "illum 7\nNi 1.33\nd 1\n",
           "illum 9\nd 0\nNi 1.33\nTf 0 0 0\n"}) {
@@ -94,7 +94,7 @@ TEST_F(MtlMaterials, GlassNeedsItsModelAndTransparency) {
         EXPECT_EQ(remarkedMaterialOf(std::string("illum 7\nd 0.1\n") + ni, "Ni of glass").ior, 1.5);
 }
 
-TEST_F(MtlMaterials, ABlackFilterIsGlass) {
+TEST_F(MtlMaterialsTest, ABlackFilterIsGlass) {
     const Material pane =
         remarkedMaterialOf("illum 4\nKd 0\nKs 0.1\nNs 9\nd 1\nNi 1\nTf 0.4\n", "Ni of glass");
     EXPECT_EQ(pane.type, MaterialType::Dielectric);
@@ -107,7 +107,7 @@ TEST_F(MtlMaterials, ABlackFilterIsGlass) {
     }
 }
 
-TEST_F(MtlMaterials, DissolveGivesOpacity) {
+TEST_F(MtlMaterialsTest, DissolveGivesOpacity) {
     EXPECT_EQ(materialOf("d 0.3\n").opacity, 0.3);
     EXPECT_EQ(materialOf("d -halo 0.3\n").opacity, 0.3);
     EXPECT_EQ(materialOf("Tr 0.25\n").opacity, 0.75);
@@ -116,7 +116,7 @@ TEST_F(MtlMaterials, DissolveGivesOpacity) {
     EXPECT_EQ(materialOf("Tr 1\nd 0\n").opacity, 0.0);
 }
 
-TEST_F(MtlMaterials, NumbersOutOfRangeAreClampedWithAWarning) {
+TEST_F(MtlMaterialsTest, NumbersOutOfRangeAreClampedWithAWarning) {
     EXPECT_EQ(remarkedMaterialOf("d 1.5\n", "d was lowered").opacity, 1.0);
     EXPECT_EQ(remarkedMaterialOf("d -1\n", "d was raised").opacity, 0.0);
     EXPECT_EQ(remarkedMaterialOf("Tr 2\n", "Tr was lowered").opacity, 0.0);
@@ -132,7 +132,7 @@ TEST_F(MtlMaterials, NumbersOutOfRangeAreClampedWithAWarning) {
     EXPECT_EQ(materialOf("illum 1e300\n").type, MaterialType::Diffuse);
 }
 
-TEST_F(MtlMaterials, GarbageIsAnErrorWithItsLine) {
+TEST_F(MtlMaterialsTest, GarbageIsAnErrorWithItsLine) {
     for (const char* statement : {"Ns x", "Ns", "d nan", "Ni inf", "Pr 0.1.2", "illum two",
                                   "Ks 1 2", "Tf spectral a.rfl", "map_Kd -bm x red.png"}) {
         EXPECT_TRUE(

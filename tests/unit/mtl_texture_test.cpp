@@ -15,7 +15,7 @@ void expectMessage(const SceneError& error, const std::string& fragment) {
     EXPECT_NE(std::string(error.what()).find(fragment), std::string::npos) << error.what();
 }
 
-TEST(MtlTexture, FindsTheName) {
+TEST(MtlTextureTest, FindsTheName) {
     for (const auto& [text, file] : std::vector<std::pair<std::string, std::string>>{
              {"a.png", "a.png"},
              {"my own wood 2.png  ", "my own wood 2.png"},
@@ -44,7 +44,7 @@ TEST(MtlTexture, FindsTheName) {
         EXPECT_FALSE(parseMtlTexture(text, "m.mtl:3").has_value()) << text;
 }
 
-TEST(MtlTexture, ReadsTheOptions) {
+TEST(MtlTextureTest, ReadsTheOptions) {
     const MtlTexture all = parse("-s 2 3 4 -o 0.5 -0.25 -bm 0.3 -clamp on -imfchan g a.png");
     EXPECT_EQ(all.scale, glm::dvec2(2.0, 3.0));
     EXPECT_EQ(all.offset, glm::dvec2(0.5, -0.25));
@@ -67,7 +67,7 @@ TEST(MtlTexture, ReadsTheOptions) {
     EXPECT_TRUE(parse("-colorspace linear a.png").isLinear);
 }
 
-TEST(MtlTexture, ListsOptionsThatAreIgnoredButMatter) {
+TEST(MtlTextureTest, ListsOptionsThatAreIgnoredButMatter) {
     using Names = std::vector<std::string>;
     EXPECT_EQ(parse("-mm 0 0.5 -t 1 -type sphere -boost 2 -cc on -blendu off a.png").ignored,
               (Names{"-mm", "-t", "-type", "-boost", "-cc", "-blendu"}));
@@ -76,14 +76,14 @@ TEST(MtlTexture, ListsOptionsThatAreIgnoredButMatter) {
     EXPECT_EQ(parse("-mm 0.5 1 -imfchan z a.png").ignored, (Names{"-mm", "-imfchan"}));
 }
 
-TEST(MtlTexture, RefusesGarbageInOptions) {
+TEST(MtlTextureTest, RefusesGarbageInOptions) {
     for (const char* text : {"-bm x a.png", "-bm", "-s nan a.png", "-o a.png", "-clamp yes a.png",
                              "-mm 0 a.png", "-boost inf a.png"}) {
         EXPECT_EQ(errorOf([&] { parse(text); }).where(), "m.mtl:3") << text;
     }
 }
 
-TEST(MtlTexture, RefusesScalesAndOffsetsBeyondSinglePrecision) {
+TEST(MtlTextureTest, RefusesScalesAndOffsetsBeyondSinglePrecision) {
     for (const char* text :
          {"-s 1.1e9 a.png", "-s 1 -1.1e9 a.png", "a.png -s 1e30", "-s 1e300 a"}) {
         expectMessage(errorOf([&] { parse(text); }),
@@ -96,7 +96,7 @@ TEST(MtlTexture, RefusesScalesAndOffsetsBeyondSinglePrecision) {
     EXPECT_EQ(parse("-s 1e9 -1e9 1e30 a.png").scale, glm::dvec2(1e9, -1e9));
 }
 
-TEST(MtlTexture, LongLinesTakeBoundedTime) {
+TEST(MtlTextureTest, LongLinesTakeBoundedTime) {
     std::string options;
     for (int i = 0; i < 200'000; ++i)
         options += " -s 1";

@@ -14,7 +14,7 @@ namespace {
 
 const std::string kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
-TEST(ObjCheck, CountsWhatItSees) {
+TEST(ObjCheckTest, CountsWhatItSees) {
     const ObjOutline outline = checkObj(
         kTriangle +
             "vn 0 0 1\nvt 0 0\nmtllib a b.mtl\nf 1 2 3\nusemtl  red one \nf 1 2 3\nf 1 2 3\n"
@@ -35,7 +35,7 @@ TEST(ObjCheck, CountsWhatItSees) {
     EXPECT_EQ(outline.materialRuns[2].material, ObjOutline::kNoMaterial);
 }
 
-TEST(ObjCheck, AcceptsWhatIsLegalOrDoesNotMatter) {
+TEST(ObjCheckTest, AcceptsWhatIsLegalOrDoesNotMatter) {
     const std::vector<std::string> texts = {
         kTriangle + "f 1 2 3",
         "v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n",
@@ -60,7 +60,7 @@ TEST(ObjCheck, AcceptsWhatIsLegalOrDoesNotMatter) {
         EXPECT_NO_THROW(checkObj(text, "a.obj")) << text;
 }
 
-TEST(ObjCheck, ListsNormalsThatAreNotFinite) {
+TEST(ObjCheckTest, ListsNormalsThatAreNotFinite) {
     const ObjOutline outline =
         checkObj(kTriangle + "vn 0 0 1\nvn nan 0 1\nvn 0 inf 1\nf 1//1 2//2 3//3\n", "a.obj");
     EXPECT_EQ(outline.nonFiniteNormals, (std::vector<size_t>{1, 2}));
@@ -72,7 +72,7 @@ struct Refusal {
     std::string fragment;
 };
 
-TEST(ObjCheck, RefusesWithTheLine) {
+TEST(ObjCheckTest, RefusesWithTheLine) {
     const std::vector<Refusal> refusals = {
         {"v 0 0 0\nv 1 0 abc\nv 0 1 0\nf 1 2 3\n", 2, "\"abc\" is not a number"},
         {"v 0 0 0\nv 1 0 1.#IND\nv 0 1 0\nf 1 2 3\n", 2, "\"1.#IND\" is not a number"},
@@ -119,7 +119,7 @@ TEST(ObjCheck, RefusesWithTheLine) {
     }
 }
 
-TEST(ObjCheck, TakesTimeInProportion) {
+TEST(ObjCheckTest, TakesTimeInProportion) {
     const auto secondsFor = [](const std::string& text) {
         return test::processorSeconds([&] {
             try {

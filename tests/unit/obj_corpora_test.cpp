@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST(ObjCorpora, EdgeCasesLoadOrAreRefused) {
+TEST(ObjCorporaTest, EdgeCasesLoadOrAreRefused) {
     const fs::path root = fs::path(kProjectFolder) / "../shared/data/obj-edge-cases";
     if (!fs::exists(root))
         GTEST_SKIP() << "../shared/data is not there";

@@ -49,7 +49,7 @@ void expectCovered(const std::vector<glm::dvec3>& polygon) {
     EXPECT_NEAR(doubleAreaOf(polygon, triangles, true), std::abs(area), 1e-12 * std::abs(area));
 }
 
-TEST(ObjTriangulate, ConvexPolygonsBecomeFans) {
+TEST(ObjTriangulateTest, ConvexPolygonsBecomeFans) {
     std::vector<glm::dvec3> octagon;
     for (int i = 0; i < 8; ++i) {
         octagon.emplace_back(std::cos(i * std::numbers::pi / 4), std::sin(i * std::numbers::pi / 4),
@@ -62,7 +62,7 @@ TEST(ObjTriangulate, ConvexPolygonsBecomeFans) {
         EXPECT_EQ(triangles[i], (Triangulator::Triangle{0, i + 1, i + 2}));
 }
 
-TEST(ObjTriangulate, ConcavePolygonsAreCoveredFromEveryStart) {
+TEST(ObjTriangulateTest, ConcavePolygonsAreCoveredFromEveryStart) {
     const std::vector<std::vector<glm::dvec3>> polygons = {
         {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1.9, 0.1, 0}}, // arrow head
         {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {3, 4, 0}, {3, 1, 0}, {1, 1, 0}, {1, 4, 0}, {0, 4, 0}},
@@ -92,7 +92,7 @@ TEST(ObjTriangulate, ConcavePolygonsAreCoveredFromEveryStart) {
     }
 }
 
-TEST(ObjTriangulate, FoldedQuadsAreCutWhereTheirHalvesAgree) {
+TEST(ObjTriangulateTest, FoldedQuadsAreCutWhereTheirHalvesAgree) {
     // A roof whose ridge runs from corner 1 to corner 3.
     Triangulator triangulator;
     const std::vector<glm::dvec3> roof = {{0, 0, 0}, {1, 0, 5}, {2, 0, 0}, {1, 1, 5}};
@@ -102,7 +102,7 @@ TEST(ObjTriangulate, FoldedQuadsAreCutWhereTheirHalvesAgree) {
     EXPECT_EQ(triangles[1], (Triangulator::Triangle{1, 2, 3}));
 }
 
-TEST(ObjTriangulate, SizeDoesNotMatter) {
+TEST(ObjTriangulateTest, SizeDoesNotMatter) {
     for (const double scale : {1e-170, 1e-300, 1e150, 1e300}) {
         std::vector<glm::dvec3> polygon = {{0, 0, 0}, {2, 0, 0},   {2, 2, 0},
                                            {1, 2, 0}, {1, 0.5, 0}, {0, 2, 0}};
@@ -118,7 +118,7 @@ TEST(ObjTriangulate, SizeDoesNotMatter) {
     }
 }
 
-TEST(ObjTriangulate, KeepsAllCornersOfPolygonsThatCrossThemselves) {
+TEST(ObjTriangulateTest, KeepsAllCornersOfPolygonsThatCrossThemselves) {
     Triangulator triangulator;
     std::vector<glm::dvec3> pentagram;
     for (int i = 0; i < 5; ++i) {
@@ -131,7 +131,7 @@ TEST(ObjTriangulate, KeepsAllCornersOfPolygonsThatCrossThemselves) {
     EXPECT_EQ(triangulator.triangulate(point).size(), 5u);
 }
 
-TEST(ObjTriangulate, HugeRaggedPolygonsTakeBoundedTime) {
+TEST(ObjTriangulateTest, HugeRaggedPolygonsTakeBoundedTime) {
     const int teeth = 200'000;
     std::vector<glm::dvec3> comb;
     for (int i = 0; i < teeth; ++i)
@@ -146,7 +146,7 @@ TEST(ObjTriangulate, HugeRaggedPolygonsTakeBoundedTime) {
     EXPECT_LT(seconds, 5.0);
 }
 
-TEST(ObjFile, ReadsEveryFormOfCorner) {
+TEST(ObjFileTest, ReadsEveryFormOfCorner) {
     const ObjFile obj =
         parseObj("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 .5e+1\nvt 0 0\nvn 0 0 2\nvn 0 1 0\n"
                  "f 1 2 3\nf -4/1 -3/1 -2/1\nf 1//1 2//2 4//-1\nf 1/1/1 2/1/1 3/1/1\n",
@@ -163,7 +163,7 @@ TEST(ObjFile, ReadsEveryFormOfCorner) {
     EXPECT_EQ(obj.triangles[3].normal[1], 0u);
 }
 
-TEST(ObjFile, EmptyFieldsAreNone) {
+TEST(ObjFileTest, EmptyFieldsAreNone) {
     // tinyobjloader by itself takes the next corner's number for an empty last field.
     const ObjFile obj = parseObj("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n"
                                  "f 1// 2// 3//\nf 1/ 2/ 3/\nf 1/1/ 2/1/ 3/1/\n",
@@ -177,7 +177,7 @@ TEST(ObjFile, EmptyFieldsAreNone) {
     }
 }
 
-TEST(ObjFile, ReadsContinuedLinesCommentsAndOddEndings) {
+TEST(ObjFileTest, ReadsContinuedLinesCommentsAndOddEndings) {
     const std::string expected = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
     for (const std::string& text :
          {expected,
@@ -191,7 +191,7 @@ TEST(ObjFile, ReadsContinuedLinesCommentsAndOddEndings) {
     }
 }
 
-TEST(ObjFile, ReadsNumbersWhoseFactorsLeaveTheRange) {
+TEST(ObjFileTest, ReadsNumbersWhoseFactorsLeaveTheRange) {
     // tinyobjloader by itself reads 0 times infinity, or overflows the exponent.
     const std::string ten400 = "1" + std::string(400, '0');
     const ObjFile obj = parseObj("v 0e999 1e-2147483648 1e+300\nv 1 " + ten400 + "e-400 0\n" +
@@ -205,7 +205,7 @@ TEST(ObjFile, ReadsNumbersWhoseFactorsLeaveTheRange) {
     EXPECT_EQ(obj.positions.at(2).z, -1e-2);
 }
 
-TEST(ObjFile, TakesNormalsOfAFaceOnlyAsAWhole) {
+TEST(ObjFileTest, TakesNormalsOfAFaceOnlyAsAWhole) {
     const std::string start =
         "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nvn 0 0 0\nvn nan 1 0\n";
     const auto normalOf = [&](const std::string& face, size_t triangle) {
@@ -217,7 +217,7 @@ TEST(ObjFile, TakesNormalsOfAFaceOnlyAsAWhole) {
     EXPECT_EQ(normalOf("f 1//1 2//1 3//1 4\n", 0), Mesh::kNoNormal);    // missing
 }
 
-TEST(ObjFile, FollowsMaterialsFromFaceToFace) {
+TEST(ObjFileTest, FollowsMaterialsFromFaceToFace) {
     const ObjFile obj =
         parseObj("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nusemtl a b\nf 1 2 3 4\n"
                  "usemtl c\nf 1 2 3\nusemtl a b\nf 1 2 3\n",
@@ -230,7 +230,7 @@ TEST(ObjFile, FollowsMaterialsFromFaceToFace) {
         EXPECT_EQ(obj.triangles[i].material, expected[i]) << i;
 }
 
-TEST(ObjFile, RefusesFilesWithoutPolygons) {
+TEST(ObjFileTest, RefusesFilesWithoutPolygons) {
     for (const char* text :
          {"", "# nothing\n", "solid stl\n", "v 0 0 0\np 1\n", "v 0 0 0\nl 1 1\n"}) {
         EXPECT_THROW(parseObj(text, "a.obj"), SceneError) << text;

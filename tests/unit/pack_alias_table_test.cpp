@@ -48,7 +48,7 @@ void expectChances(const std::vector<double>& weights) {
     EXPECT_EQ(next, kNumbers);
 }
 
-TEST(AliasTable, ReproducesEveryChance) {
+TEST(AliasTableTest, ReproducesEveryChance) {
     expectChances({1.0});
     expectChances({1.0, 1.0, 1.0});
     expectChances({1.0, 3.0});
@@ -60,7 +60,7 @@ TEST(AliasTable, ReproducesEveryChance) {
     expectChances(weights);
 }
 
-TEST(AliasTable, NeverChoosesWhatWeighsNothing) {
+TEST(AliasTableTest, NeverChoosesWhatWeighsNothing) {
     const std::vector<AliasColumn> columns =
         buildAliasTable(std::vector<double>{0.0, 2.0, 0.0, 1.0});
     EXPECT_EQ(columns[0].ownNumbers, 0u);
@@ -70,7 +70,7 @@ TEST(AliasTable, NeverChoosesWhatWeighsNothing) {
 }
 
 // A share of 1e-18 cannot be had of numbers of 24 bits: it gets one, and may get one that is left.
-TEST(AliasTable, TellsTheChanceOfWhatIsChosenMoreOftenThanItsShare) {
+TEST(AliasTableTest, TellsTheChanceOfWhatIsChosenMoreOftenThanItsShare) {
     const std::vector<AliasColumn> columns = buildAliasTable(std::vector<double>{1e-12, 1.0, 1e6});
     EXPECT_GE(columns[0].probability, 0x1p-24);
     EXPECT_LE(columns[0].probability, 0x1p-23);
@@ -78,7 +78,7 @@ TEST(AliasTable, TellsTheChanceOfWhatIsChosenMoreOftenThanItsShare) {
 }
 
 // Where more indices weigh something than there are numbers, those beyond are never chosen.
-TEST(AliasTable, HasNoChanceWhereNoNumberFalls) {
+TEST(AliasTableTest, HasNoChanceWhereNoNumberFalls) {
     const std::vector<AliasColumn> columns =
         buildAliasTable(std::vector<double>(kNumbers + 1, 1.0));
     double sum = 0.0;
@@ -91,12 +91,12 @@ TEST(AliasTable, HasNoChanceWhereNoNumberFalls) {
     EXPECT_EQ(never, 1u);
 }
 
-TEST(AliasTable, HasNoChanceWhereNothingWeighsAnything) {
+TEST(AliasTableTest, HasNoChanceWhereNothingWeighsAnything) {
     for (const AliasColumn& column : buildAliasTable(std::vector<double>(3, 0.0)))
         EXPECT_EQ(column.probability, 0.0);
 }
 
-TEST(AliasTable, OfNothingIsEmpty) { EXPECT_TRUE(buildAliasTable({}).empty()); }
+TEST(AliasTableTest, OfNothingIsEmpty) { EXPECT_TRUE(buildAliasTable({}).empty()); }
 
 } // namespace
 } // namespace calotype::test

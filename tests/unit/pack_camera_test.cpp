@@ -34,7 +34,7 @@ Camera lens(double radius, double focus) {
     return camera;
 }
 
-TEST(PackCamera, RefusesWhatFloatDoesNotHold) {
+TEST(PackCameraTest, RefusesWhatFloatDoesNotHold) {
     expectRefused(orthographic(1e13), "more than 1e12 metres");
     expectRefused(lens(1e13, 1e13), "more than 1e12 metres");
     expectRefused(lens(1.0, 1e-19), "lower lens_radius or fov");
@@ -43,7 +43,7 @@ TEST(PackCamera, RefusesWhatFloatDoesNotHold) {
     EXPECT_TRUE(std::isfinite(pack(wide).right.x)); // a tangent of 1.6e16, twice as wide as high
 }
 
-TEST(PackCamera, HoldsAllOthers) {
+TEST(PackCameraTest, HoldsAllOthers) {
     EXPECT_EQ(pack(orthographic(1e11)).up, glm::vec3(0.0f, 0.5e11f, 0.0f));
     EXPECT_EQ(pack(orthographic(1e-50)).up, glm::vec3(0.0f));
     EXPECT_EQ(pack(lens(1.0, 1e300)).focusDistance, 1e30f);

@@ -78,7 +78,7 @@ void expectToHold(const Bvh::Node& node) {
     }
 }
 
-TEST(PackNode, HoldsItsContentsAtAnyScaleAndPlace) {
+TEST(PackNodeTest, HoldsItsContentsAtAnyScaleAndPlace) {
     RandomNumbers random(71);
     for (int i = 0; i < 20'000; ++i) {
         const double size = random.powerOfTen(-14.0, 12.0);
@@ -90,7 +90,7 @@ TEST(PackNode, HoldsItsContentsAtAnyScaleAndPlace) {
     }
 }
 
-TEST(PackNode, HoldsBoxesThatEndOnCellBoundaries) {
+TEST(PackNodeTest, HoldsBoxesThatEndOnCellBoundaries) {
     RandomNumbers random(72);
     for (int i = 0; i < 20'000; ++i) {
         Bvh::Node node = randomNode(random.powerOfTen(-3.0, 3.0) * random.direction(), 1.0, random);
@@ -105,7 +105,7 @@ TEST(PackNode, HoldsBoxesThatEndOnCellBoundaries) {
     }
 }
 
-TEST(PackNode, UsesMoreThanAQuarterOfItsGrid) {
+TEST(PackNodeTest, UsesMoreThanAQuarterOfItsGrid) {
     RandomNumbers random(73);
     for (int i = 0; i < 1000; ++i) {
         const Bvh::Node node = randomNode({}, random.powerOfTen(-10.0, 10.0), random);
@@ -118,7 +118,7 @@ TEST(PackNode, UsesMoreThanAQuarterOfItsGrid) {
     }
 }
 
-TEST(PackNode, SaysWhatItsChildrenAre) {
+TEST(PackNodeTest, SaysWhatItsChildrenAre) {
     Bvh::Node node;
     node.bounds = {{0, 0, 0}, {1, 1, 1}};
     node.slots[1] = {node.bounds, Bvh::SlotKind::Triangles, 2};

@@ -50,7 +50,7 @@ Mesh triangleOf(uint32_t material) {
 
 using Features = std::set<uint32_t>;
 
-TEST(PackScene, EnablesWhatTheSceneHasAndNothingElse) {
+TEST(PackSceneTest, EnablesWhatTheSceneHasAndNothingElse) {
     constexpr uint32_t kDiffuse = shared::kFeatureDiffuse; // of material 0; lamps are black
     EXPECT_EQ(featuresOf(packed({shapeOf(Sphere{})})),
               (Features{shared::kFeatureSpheres, kDiffuse}));
@@ -79,7 +79,7 @@ TEST(PackScene, EnablesWhatTheSceneHasAndNothingElse) {
 
 // From a quarter of what rays visit on, quadrics are many; where they are alone, it does not
 // matter.
-TEST(PackScene, TellsFewQuadricsFromMany) {
+TEST(PackSceneTest, TellsFewQuadricsFromMany) {
     const auto areMany = [](std::vector<Shape> shapes) {
         return packed(std::move(shapes)).features.enabled[shared::kFeatureManyQuadrics];
     };
@@ -94,7 +94,7 @@ TEST(PackScene, TellsFewQuadricsFromMany) {
 }
 
 // What only a material asks for that nothing bears is neither compiled in nor uploaded.
-TEST(PackScene, LeavesOutMaterialsThatNothingBears) {
+TEST(PackSceneTest, LeavesOutMaterialsThatNothingBears) {
     Scene scene = sceneOf({shapeOf(Sphere{})});
     auto image = std::make_shared<TexelImage>();
     image->width = image->height = 64;
@@ -114,7 +114,7 @@ TEST(PackScene, LeavesOutMaterialsThatNothingBears) {
 }
 
 // Half of the light samples at most go to the background, which rays that leave find anyway.
-TEST(PackScene, BackgroundIsALightOfItsOwnKind) {
+TEST(PackSceneTest, BackgroundIsALightOfItsOwnKind) {
     Scene scene = sceneOf({shapeOf(Sphere{}, 1), shapeOf(Disk{{}, 1e4})});
     scene.materials = materials();
     scene.background = glm::dvec3(0.5, 16.0, 1.0);
@@ -129,7 +129,7 @@ TEST(PackScene, BackgroundIsALightOfItsOwnKind) {
     EXPECT_EQ(packed.maxRadiance, 16.0);
 }
 
-TEST(PackScene, LinksLightsAndPrimitivesBothWays) {
+TEST(PackSceneTest, LinksLightsAndPrimitivesBothWays) {
     const GpuScene scene = packed({shapeOf(Sphere{{}, 2.0}, 1), shapeOf(Sphere{{}, 1.0}),
                                    shapeOf(triangleOf(2)), shapeOf(Disk{{}, 3.0}, 1)});
     ASSERT_EQ(scene.lightCount, 3u);
@@ -160,7 +160,7 @@ TEST(PackScene, LinksLightsAndPrimitivesBothWays) {
         EXPECT_EQ(quadric.light == shared::kNone, quadric.id == 1);
 }
 
-TEST(PackScene, ItsNodesShareOutThePrimitives) {
+TEST(PackSceneTest, ItsNodesShareOutThePrimitives) {
     std::vector<Shape> shapes;
     for (int i = 0; i < 100; ++i) {
         shapes.push_back(shapeOf(Sphere{{glm::dmat3(1.0), {double(i), 0.0, 0.0}}, 0.4}));
@@ -187,7 +187,7 @@ TEST(PackScene, ItsNodesShareOutThePrimitives) {
     EXPECT_EQ(quadricLeaves, std::vector<uint32_t>(100, 1));
 }
 
-TEST(PackScene, CarriesMaterialsAndTheCamera) {
+TEST(PackSceneTest, CarriesMaterialsAndTheCamera) {
     Scene scene = sceneOf({shapeOf(Sphere{{glm::dmat3(1.0), {100.0, 0.0, 0.0}}, 1.0})});
     scene.materials = materials();
     scene.camera.position = {90.0, 3.0, 0.0};
@@ -205,7 +205,7 @@ TEST(PackScene, CarriesMaterialsAndTheCamera) {
     EXPECT_EQ(wide.materials[0].color, glm::vec3(0.25f, 0.5f, 0.75f));
 }
 
-TEST(PackScene, SpheresKeepWhatRoundingTakesFromTheirCentres) {
+TEST(PackSceneTest, SpheresKeepWhatRoundingTakesFromTheirCentres) {
     const Scene scene = sceneOf({shapeOf(Sphere{{glm::dmat3(1.0), {0.1, -1e5, 0.3}}, 1e5 / 3.0})});
     const shared::Quadric sphere = packQuadric(scene.shapes[0], {0.0, 0.7, 5.0}, 0);
     const glm::dvec3 center = glm::dvec3(sphere.center) + glm::dvec3(sphere.centerRest);
@@ -216,7 +216,7 @@ TEST(PackScene, SpheresKeepWhatRoundingTakesFromTheirCentres) {
     EXPECT_NEAR(glm::distance(center, exact + excess * glm::normalize(exact)), 0.0, 1e-9);
 }
 
-TEST(PackScene, OfNothingHasArraysAllTheSame) {
+TEST(PackSceneTest, OfNothingHasArraysAllTheSame) {
     const GpuScene scene = packed({});
     EXPECT_EQ(scene.lightCount, 0u);
     ASSERT_EQ(scene.nodes.size(), 1u);
@@ -227,7 +227,7 @@ TEST(PackScene, OfNothingHasArraysAllTheSame) {
     EXPECT_EQ(featuresOf(scene), Features{shared::kFeatureTriangles});
 }
 
-TEST(PackTriangle, NormalIsThatOfThePackedCorners) {
+TEST(PackTriangleTest, NormalIsThatOfThePackedCorners) {
     RandomNumbers random(81);
     for (int i = 0; i < 10'000; ++i) {
         const double size = random.powerOfTen(-10.0, 10.0);
@@ -245,7 +245,7 @@ TEST(PackTriangle, NormalIsThatOfThePackedCorners) {
     }
 }
 
-TEST(PackTriangle, NormalOfCornersThatRoundingJoinsIsTheExactOne) {
+TEST(PackTriangleTest, NormalOfCornersThatRoundingJoinsIsTheExactOne) {
     Mesh mesh = singleTriangle({1e9, 0, 0}, {1e9, 1e-3, 0}, {1e9, 0, 1e-3});
     const shared::Triangle packed = packTriangle(mesh, 0, {0.0, 0.0, 0.0}, 0);
     EXPECT_EQ(glm::vec3(packed.normalX, packed.normalY, packed.normalZ), glm::vec3(1, 0, 0));
@@ -255,7 +255,7 @@ TEST(PackTriangle, NormalOfCornersThatRoundingJoinsIsTheExactOne) {
     EXPECT_NEAR(joined.normalZ, -1.0f, 1e-6f);
 }
 
-TEST(AreaOf, IsThatOfTheWholeSurface) {
+TEST(AreaOfTest, IsThatOfTheWholeSurface) {
     const auto area = [](auto shape) { return areaOf(packQuadric(shapeOf(shape), {}, 0)); };
     EXPECT_NEAR(area(Sphere{{}, 2.0}), 16.0 * kPi, 1e-5);
     EXPECT_NEAR(area(Cylinder{{}, 2.0, 3.0}), 2.0 * 4.0 * kPi + 4.0 * kPi * 3.0, 1e-5);

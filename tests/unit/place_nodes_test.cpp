@@ -51,7 +51,7 @@ void expectPlacesToFollow(const Bvh& bvh, const NodePlaces& places) {
     EXPECT_EQ(*taken.rbegin() + 1, places.end);
 }
 
-TEST(PlaceNodes, FollowFromParentAndSlot) {
+TEST(PlaceNodesTest, FollowFromParentAndSlot) {
     RandomNumbers random(81);
     for (const double probability : {0.05, 0.2, 0.5, 0.9, 1.0}) {
         for (const size_t nodes : {1, 2, 9, 100, 5000}) {
@@ -64,7 +64,7 @@ TEST(PlaceNodes, FollowFromParentAndSlot) {
 // Families that did not interlock would leave four of five places empty at a fifth of the slots.
 // A random mask of half the slots is the worst, with 17 % seen; a mesh of 786,000 triangles has 3
 // %.
-TEST(PlaceNodes, LeavesFewPlacesEmpty) {
+TEST(PlaceNodesTest, LeavesFewPlacesEmpty) {
     RandomNumbers random(82);
     for (const double probability : {0.2, 0.3, 0.5, 0.9}) {
         const Bvh bvh = randomTree(20000, probability, random);
@@ -72,7 +72,7 @@ TEST(PlaceNodes, LeavesFewPlacesEmpty) {
     }
 }
 
-TEST(PlaceNodes, OfNoTreeIsNothing) { EXPECT_EQ(placeNodes({}).end, 0u); }
+TEST(PlaceNodesTest, OfNoTreeIsNothing) { EXPECT_EQ(placeNodes({}).end, 0u); }
 
 } // namespace
 } // namespace calotype::test

@@ -47,7 +47,7 @@ void forEachView(const Check& check) {
         }
 }
 
-TEST(ReferenceBsdf, HasTheModelsValues) {
+TEST(ReferenceBsdfTest, HasTheModelsValues) {
     RandomNumbers random(201);
     forEachView([&](const TestMaterial& test, const glm::dvec3& wo) {
         const Bsdf bsdf = bsdfOf(test.material, wo);
@@ -61,7 +61,7 @@ TEST(ReferenceBsdf, HasTheModelsValues) {
     });
 }
 
-TEST(ReferenceBsdf, IsReciprocal) {
+TEST(ReferenceBsdfTest, IsReciprocal) {
     RandomNumbers random(202);
     forEachView([&](const TestMaterial& test, const glm::dvec3& wo) {
         for (int i = 0; i < 100; ++i) {
@@ -73,7 +73,7 @@ TEST(ReferenceBsdf, IsReciprocal) {
     });
 }
 
-TEST(ReferenceBsdf, DrawsDirectionsAsItsDensitySays) {
+TEST(ReferenceBsdfTest, DrawsDirectionsAsItsDensitySays) {
     constexpr size_t kSamples = 60'000;
     RandomNumbers random(203);
     forEachView([&](const TestMaterial& test, const glm::dvec3& wo) {
@@ -96,7 +96,7 @@ TEST(ReferenceBsdf, DrawsDirectionsAsItsDensitySays) {
     });
 }
 
-TEST(ReferenceBsdf, ConservesEnergyWhereItShould) {
+TEST(ReferenceBsdfTest, ConservesEnergyWhereItShould) {
     RandomNumbers random(204);
     forEachView([&](TestMaterial test, const glm::dvec3& wo) {
         if (!test.conservesEnergy)
@@ -113,7 +113,7 @@ TEST(ReferenceBsdf, ConservesEnergyWhereItShould) {
 }
 
 // On both sides of the threshold below which a metal is a mirror, it reflects as much.
-TEST(ReferenceBsdf, BecomesAMirrorContinuously) {
+TEST(ReferenceBsdfTest, BecomesAMirrorContinuously) {
     RandomNumbers random(205);
     for (const Masking masking : {Masking::Schlick, Masking::Smith})
         for (const double cosThetaO : kCosines) {
@@ -154,7 +154,7 @@ double reflectedShare(const Bsdf& boundary) {
     return high;
 }
 
-TEST(ReferenceBsdf, ReflectsByFresnelsEquations) {
+TEST(ReferenceBsdfTest, ReflectsByFresnelsEquations) {
     for (const double ior : {1.0 / 1.5, 1.000001, 1.33, 1.5, 4.0})
         for (const double cosTheta : {1.0, 0.9, 0.76, 0.5, 0.1, 0.001})
             for (const double side : {1.0, -1.0}) {
@@ -165,7 +165,7 @@ TEST(ReferenceBsdf, ReflectsByFresnelsEquations) {
             }
 }
 
-TEST(ReferenceBsdf, RefractsBySnellsLaw) {
+TEST(ReferenceBsdfTest, RefractsBySnellsLaw) {
     for (const double ior : {1.0 / 1.5, 1.33, 4.0})
         for (const double cosTheta : {1.0, 0.9, 0.8})
             for (const double side : {1.0, -1.0}) {

@@ -26,9 +26,9 @@ Camera someCamera() {
     return camera;
 }
 
-class ReferenceFilter : public testing::TestWithParam<FilmFilter> {};
+class ReferenceFilterTest : public testing::TestWithParam<FilmFilter> {};
 
-TEST_P(ReferenceFilter, IsInverted) {
+TEST_P(ReferenceFilterTest, IsInverted) {
     const OracleFilter oracle(GetParam());
     for (int i = 0; i < 1000; ++i) {
         const double u = (i + 0.5) / 1000.0;
@@ -38,11 +38,11 @@ TEST_P(ReferenceFilter, IsInverted) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, ReferenceFilter,
+INSTANTIATE_TEST_SUITE_P(Each, ReferenceFilterTest,
                          testing::Values(FilmFilter::Box, FilmFilter::Tent, FilmFilter::Gaussian,
                                          FilmFilter::BlackmanHarris));
 
-TEST(ReferenceCamera, SeesItsFieldOfView) {
+TEST(ReferenceCameraTest, SeesItsFieldOfView) {
     Camera camera = someCamera();
     camera.verticalFov = 0.8;
     const double halfHeight = std::tan(0.4);
@@ -61,7 +61,7 @@ TEST(ReferenceCamera, SeesItsFieldOfView) {
     expectRay({0, 0}, -1.5 * halfHeight, halfHeight);
 }
 
-TEST(ReferenceCamera, SendsParallelRaysFromItsHeight) {
+TEST(ReferenceCameraTest, SendsParallelRaysFromItsHeight) {
     Camera camera = someCamera();
     camera.projection = Projection::Orthographic;
     camera.viewHeight = 4.0;
@@ -72,7 +72,7 @@ TEST(ReferenceCamera, SendsParallelRaysFromItsHeight) {
 }
 
 // All rays of one point of the film meet in the plane in focus, where the pinhole's ray is.
-TEST(ReferenceCamera, FocusesThroughAllOfItsLens) {
+TEST(ReferenceCameraTest, FocusesThroughAllOfItsLens) {
     RandomNumbers random(221);
     for (const Projection projection : {Projection::Perspective, Projection::Orthographic}) {
         Camera camera = someCamera();

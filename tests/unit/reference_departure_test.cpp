@@ -28,7 +28,7 @@ Shape placeShape(QuadricKind kind, const Place& place, RandomNumbers& random) {
     return randomQuadric(kind, center, place.size, random);
 }
 
-class ReferenceDeparture : public testing::TestWithParam<std::tuple<QuadricKind, Place>> {};
+class ReferenceDepartureTest : public testing::TestWithParam<std::tuple<QuadricKind, Place>> {};
 
 /// Moves the shape so that the point comes to lie at the world's origin.
 void bringToOrigin(Shape& shape, SurfacePoint& point) {
@@ -42,7 +42,7 @@ void bringToOrigin(Shape& shape, SurfacePoint& point) {
     point.position = glm::dvec3(0.0);
 }
 
-TEST_P(ReferenceDeparture, MeetsTheFarSideOnly) {
+TEST_P(ReferenceDepartureTest, MeetsTheFarSideOnly) {
     const auto& [kind, place] = GetParam();
     RandomNumbers random(11);
     uint32_t found = 0;
@@ -85,7 +85,7 @@ TEST_P(ReferenceDeparture, MeetsTheFarSideOnly) {
     EXPECT_TRUE(found > 2000 || kind == QuadricKind::Disk) << found;
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, ReferenceDeparture,
+INSTANTIATE_TEST_SUITE_P(Of, ReferenceDepartureTest,
                          testing::Combine(testing::ValuesIn(kQuadricKinds),
                                           testing::Values(Place{"AtHome", 1.0, 0.0, false},
                                                           Place{"Tiny", 1e-6, 3.0, false},

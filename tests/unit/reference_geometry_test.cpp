@@ -8,7 +8,7 @@ namespace {
 using reference::Geometry;
 using reference::Ray;
 
-TEST(ReferenceGeometry, NumbersPrimitivesInTheOrderOfTheFile) {
+TEST(ReferenceGeometryTest, NumbersPrimitivesInTheOrderOfTheFile) {
     Mesh quad = cubeMesh(1);
     for (uint32_t i = 0; i < quad.triangles.size(); ++i)
         quad.triangles[i].material = 10 + i;
@@ -35,14 +35,14 @@ TEST(ReferenceGeometry, NumbersPrimitivesInTheOrderOfTheFile) {
     EXPECT_EQ(surface.ng, glm::dvec3(0, 0, 1));
 }
 
-TEST(ReferenceGeometry, OfAnEmptySceneIsNeverHit) {
+TEST(ReferenceGeometryTest, OfAnEmptySceneIsNeverHit) {
     const Scene scene = sceneOf({});
     const Geometry geometry(scene);
     EXPECT_EQ(geometry.primitiveCount(), 0u);
     EXPECT_FALSE(geometry.closest({{0, 0, 0}, {0, 0, -1}}));
 }
 
-TEST(ReferenceGeometry, KnowsAreas) {
+TEST(ReferenceGeometryTest, KnowsAreas) {
     constexpr double kPi = std::numbers::pi;
     const Scene scene =
         sceneOf({shapeOf(Sphere{{}, 2.0}), shapeOf(Cylinder{{}, 1.0, 2.0}),
@@ -77,7 +77,7 @@ Shape transformed(Shape shape, double scale, const glm::dvec3& shift) {
     return shape;
 }
 
-TEST(ReferenceGeometry, IsTheSameAtEveryScaleAndPlace) {
+TEST(ReferenceGeometryTest, IsTheSameAtEveryScaleAndPlace) {
     RandomNumbers random(51);
     std::vector<Shape> shapes = {shapeOf(icosphere(2, {0.3, 0.2, 0.1}, 0.3))};
     for (int i = 0; i < 40; ++i)

@@ -88,19 +88,19 @@ void expectNear(const Estimate& seen, double expected) {
 
 RigidTransform at(const glm::dvec3& place) { return {glm::dmat3(1.0), place}; }
 
-TEST(ReferenceLights, SphereLightsAsItsSolidAngleSays) {
+TEST(ReferenceLightsTest, SphereLightsAsItsSolidAngleSays) {
     const LitScene lit({shapeOf(Sphere{at({0.0, 3.0, 0.0}), 1.0})});
     expectNear(irradianceBySampling(lit, 0), kPi / 9.0);
 }
 
 // (Howell, A Catalog of Radiation Heat Transfer Configuration Factors, B-12.)
-TEST(ReferenceLights, DiskLightsAsItsAngleSays) {
+TEST(ReferenceLightsTest, DiskLightsAsItsAngleSays) {
     const LitScene lit({shapeOf(Disk{at({0.0, 2.0, 0.0}), 1.5})});
     expectNear(irradianceBySampling(lit, 0), kPi * 2.25 / (2.25 + 4.0));
 }
 
 // Half the sum of the edges' angles, each times the cosine of its plane (Lambert 1760).
-TEST(ReferenceLights, TriangleLightsByLambertsFormula) {
+TEST(ReferenceLightsTest, TriangleLightsByLambertsFormula) {
     const glm::dvec3 corners[] = {{-0.5, 1.0, 0.3}, {1.2, 1.5, 0.1}, {0.2, 2.0, -1.0}};
     const LitScene lit({shapeOf(singleTriangle(corners[0], corners[1], corners[2]))});
     double expected = 0.0;
@@ -113,7 +113,7 @@ TEST(ReferenceLights, TriangleLightsByLambertsFormula) {
     expectNear(irradianceBySampling(lit, 0), std::abs(expected));
 }
 
-TEST(ReferenceLights, SampledAndSeenAreTheSameLight) {
+TEST(ReferenceLightsTest, SampledAndSeenAreTheSameLight) {
     const Shape kinds[] = {shapeOf(Sphere{at({0.5, 2.0, 0.2}), 0.7}),
                            shapeOf(Cylinder{at({0.5, 2.0, 0.2}), 0.7, 1.5}),
                            shapeOf(Cone{at({0.5, 3.0, 0.2}), -1.5, 0.6}),
@@ -135,7 +135,7 @@ TEST(ReferenceLights, SampledAndSeenAreTheSameLight) {
 
 // What is seen under all of its density integrates to one; of a solid sampled by area, to the share
 // of it that faces here.
-TEST(ReferenceLights, DensityIntegratesToWhatIsSeen) {
+TEST(ReferenceLightsTest, DensityIntegratesToWhatIsSeen) {
     for (const Shape& shape :
          {shapeOf(Sphere{at({0.5, 2.0, 0.2}), 0.7}), shapeOf(Disk{at({0.5, 2.0, 0.2}), 0.7}),
           shapeOf(singleTriangle({0, 1, 0}, {1, 2, 0}, {0, 2, 1}))})
@@ -145,7 +145,7 @@ TEST(ReferenceLights, DensityIntegratesToWhatIsSeen) {
     expectNear(lookEverywhere(lit, 0).integralOfPdf, kPi / (6.0 * kPi));
 }
 
-TEST(ReferenceLights, AreChosenByTheirPower) {
+TEST(ReferenceLightsTest, AreChosenByTheirPower) {
     LitScene lit({shapeOf(Sphere{at({0, 2, 0}), 0.5}), shapeOf(Disk{at({3, 2, 0}), 1.0}),
                   shapeOf(Sphere{at({0, 9, 0}), 0.1})},
                  glm::dvec3(1e-4));

@@ -26,7 +26,7 @@ struct Placement {
 
 using Parameter = std::tuple<QuadricKind, Placement>;
 
-class ReferenceQuadric : public testing::TestWithParam<Parameter> {
+class ReferenceQuadricTest : public testing::TestWithParam<Parameter> {
 protected:
     static constexpr int kShapes = 200;
     static constexpr int kRaysEach = 50;
@@ -66,7 +66,7 @@ protected:
     }
 };
 
-TEST_P(ReferenceQuadric, IsEnteredWhereARayIsAimed) {
+TEST_P(ReferenceQuadricTest, IsEnteredWhereARayIsAimed) {
     forManyPoints([](const Geometry& geometry, const SurfacePoint& point, double size,
                      RandomNumbers& random) {
         const glm::dvec3 direction = -directionAbove(point.normal, random);
@@ -75,7 +75,7 @@ TEST_P(ReferenceQuadric, IsEnteredWhereARayIsAimed) {
     });
 }
 
-TEST_P(ReferenceQuadric, IsLeftWhereARayFromInsideIsAimed) {
+TEST_P(ReferenceQuadricTest, IsLeftWhereARayFromInsideIsAimed) {
     forManyPoints([](const Geometry& geometry, const SurfacePoint& point, double, RandomNumbers&) {
         const glm::dvec3 direction = glm::normalize(point.position - point.pointInside);
         if (glm::dot(direction, point.normal) > 1e-3)
@@ -83,7 +83,7 @@ TEST_P(ReferenceQuadric, IsLeftWhereARayFromInsideIsAimed) {
     });
 }
 
-TEST_P(ReferenceQuadric, IsNotMetByWhatMovesAway) {
+TEST_P(ReferenceQuadricTest, IsNotMetByWhatMovesAway) {
     forManyPoints([](const Geometry& geometry, const SurfacePoint& point, double size,
                      RandomNumbers& random) {
         const glm::dvec3 direction = directionAbove(point.normal, random);
@@ -94,7 +94,7 @@ TEST_P(ReferenceQuadric, IsNotMetByWhatMovesAway) {
 
 // A line along a tangent plane, a little way off, passes the whole convex solid: its own roundings
 // and what counts as on the surface are 64 of 2^-53 each.
-TEST_P(ReferenceQuadric, IsPassedAlongItsTangents) {
+TEST_P(ReferenceQuadricTest, IsPassedAlongItsTangents) {
     forManyPoints([](const Geometry& geometry, const SurfacePoint& point, double size,
                      RandomNumbers& random) {
         const glm::dvec3 tangent = glm::normalize(glm::cross(point.normal, random.direction()));
@@ -107,7 +107,7 @@ TEST_P(ReferenceQuadric, IsPassedAlongItsTangents) {
     });
 }
 
-TEST_P(ReferenceQuadric, EndsTheRayAtItsLength) {
+TEST_P(ReferenceQuadricTest, EndsTheRayAtItsLength) {
     forManyPoints([](const Geometry& geometry, const SurfacePoint& point, double size,
                      RandomNumbers& random) {
         const glm::dvec3 direction = -directionAbove(point.normal, random);
@@ -119,7 +119,7 @@ TEST_P(ReferenceQuadric, EndsTheRayAtItsLength) {
     });
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, ReferenceQuadric,
+INSTANTIATE_TEST_SUITE_P(Of, ReferenceQuadricTest,
                          testing::Combine(testing::ValuesIn(kQuadricKinds),
                                           testing::Values(Placement{"AtHome", 1.0, 0.0},
                                                           Placement{"Near", 1.0, 3.0},
@@ -140,7 +140,7 @@ double distanceTo(const Shape& shape, const glm::dvec3& origin, const glm::dvec3
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-TEST(ReferenceCone, MeetsRaysParallelToItsSide) {
+TEST(ReferenceConeTest, MeetsRaysParallelToItsSide) {
     // Slope 3/4, so (3, 4, 0) / 5 runs along a line of the side.
     const Shape cone = shapeOf(Cone{{}, 4.0, 0.75});
     // In the plane of that line and its opposite, (x, y) from (-5, 0): meets x = -3/4 y.
@@ -151,7 +151,7 @@ TEST(ReferenceCone, MeetsRaysParallelToItsSide) {
     EXPECT_NEAR(distanceTo(cone, {0.0, 2.0, 0.0}, {-3.0, -4.0, 0.0}), 5.0 / 4.0, 1e-14);
 }
 
-TEST(ReferenceCone, IsMetAtItsApexAndHasNoMirrorImage) {
+TEST(ReferenceConeTest, IsMetAtItsApexAndHasNoMirrorImage) {
     for (const double sign : {1.0, -1.0}) {
         const Shape cone = shapeOf(Cone{{}, sign * 2.0, 1.0});
         EXPECT_NEAR(distanceTo(cone, {0.0, -sign * 3.0, 0.0}, {0.0, sign, 0.0}), 3.0, 1e-14);
@@ -163,7 +163,7 @@ TEST(ReferenceCone, IsMetAtItsApexAndHasNoMirrorImage) {
     }
 }
 
-TEST(ReferenceCone, IsEnteredByEverySteepRayThroughItsApex) {
+TEST(ReferenceConeTest, IsEnteredByEverySteepRayThroughItsApex) {
     RandomNumbers random(4);
     for (int i = 0; i < 10000; ++i) {
         const double slope = random.powerOfTen(-2.0, 2.0);
@@ -185,7 +185,7 @@ TEST(ReferenceCone, IsEnteredByEverySteepRayThroughItsApex) {
     }
 }
 
-TEST(ReferenceCone, FarAwayKeepsRaysAlongItsSideExact) {
+TEST(ReferenceConeTest, FarAwayKeepsRaysAlongItsSideExact) {
     // From a million sizes away, in the direction of a line of the side but for a little.
     RandomNumbers random(3);
     const Shape cone = shapeOf(Cone{{}, 4.0, 0.75});
@@ -204,7 +204,7 @@ TEST(ReferenceCone, FarAwayKeepsRaysAlongItsSideExact) {
     }
 }
 
-TEST(ReferenceCylinder, MeetsRaysAlongItsAxisAtItsCaps) {
+TEST(ReferenceCylinderTest, MeetsRaysAlongItsAxisAtItsCaps) {
     const Shape cylinder = shapeOf(Cylinder{{}, 1.0, 2.0});
     EXPECT_EQ(distanceTo(cylinder, {0.5, 3.0, 0.0}, {0.0, -1.0, 0.0}), 2.0);
     EXPECT_EQ(distanceTo(cylinder, {0.5, 0.0, 0.0}, {0.0, -1.0, 0.0}), 1.0);
@@ -215,7 +215,7 @@ TEST(ReferenceCylinder, MeetsRaysAlongItsAxisAtItsCaps) {
     EXPECT_EQ(distanceTo(cylinder, {1.5, 0.0, 0.0}, {-1.0, 0.0, 0.0}), 0.5);
 }
 
-TEST(ReferenceQuadricExtremes, OfProportionsFromAHundredThousandthToAHundredThousand) {
+TEST(ReferenceQuadricExtremesTest, OfProportionsFromAHundredThousandthToAHundredThousand) {
     RandomNumbers random(5);
     for (const double ratio : {1e-5, 1e5}) {
         for (const Shape& shape : {shapeOf(Cylinder{{someRotation(random), {}}, ratio, 1.0}),

@@ -30,7 +30,7 @@ void expectOneInEachInterval(const std::vector<glm::dvec2>& points) {
     }
 }
 
-TEST(ReferenceSobol, FirstPointsOfABlockHaveEachIntervalToThemselves) {
+TEST(ReferenceSobolTest, FirstPointsOfABlockHaveEachIntervalToThemselves) {
     for (const uint32_t block : {0u, 1u, 9u, 70000u}) {
         for (const uint32_t count : {2u, 4u, 8u, 16u}) {
             std::vector<glm::dvec2> film, lens, light, direction;
@@ -50,7 +50,7 @@ TEST(ReferenceSobol, FirstPointsOfABlockHaveEachIntervalToThemselves) {
     }
 }
 
-TEST(ReferenceSobol, BlocksOfAReplicaGoOnWhereItsLastEnded) {
+TEST(ReferenceSobolTest, BlocksOfAReplicaGoOnWhereItsLastEnded) {
     std::vector<glm::dvec2> points;
     for (uint32_t block = 3; block < 8 * 16; block += 8)
         for (uint32_t i = 0; i < 16; ++i)
@@ -71,7 +71,7 @@ void expectIndependent(const std::string& what,
     EXPECT_LT(chiSquare(counts, chances), chiSquareLimit(counts.size() - 1)) << what;
 }
 
-TEST(ReferenceSobol, EachPointIsUniformAndUsesAreIndependent) {
+TEST(ReferenceSobolTest, EachPointIsUniformAndUsesAreIndependent) {
     const auto at = [](uint32_t sample, uint32_t seed) {
         return cameraNumbers(sobolSample(sample, seed));
     };

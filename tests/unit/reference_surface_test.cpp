@@ -37,7 +37,7 @@ void expectUvs(const Shape& shape, const std::vector<KnownUv>& known) {
     }
 }
 
-TEST(ReferenceUv, OfASphere) {
+TEST(ReferenceUvTest, OfASphere) {
     expectUvs(shapeOf(Sphere{{}, 2.0}),
               {{{2, 0, 0}, {-1, 0, 0}, {0.0, 0.5}},
                {{0, 0, 2}, {0, 0, -1}, {0.25, 0.5}},
@@ -48,7 +48,7 @@ TEST(ReferenceUv, OfASphere) {
                {{0, std::sqrt(2.0), std::sqrt(2.0)}, {0, -1, -1}, {0.25, 0.75}}});
 }
 
-TEST(ReferenceUv, OfACylinder) {
+TEST(ReferenceUvTest, OfACylinder) {
     expectUvs(shapeOf(Cylinder{{}, 2.0, 4.0}), {{{2, 0, 0}, {-1, 0, 0}, {0.0, 0.5}},
                                                 {{0, 1, 2}, {0, 0, -1}, {0.25, 0.75}},
                                                 {{0, -1, -2}, {0, 0, 1}, {0.75, 0.25}},
@@ -56,7 +56,7 @@ TEST(ReferenceUv, OfACylinder) {
                                                 {{1, -2, -1}, {0, 1, 0}, {0.75, 0.25}}});
 }
 
-TEST(ReferenceUv, OfACone) {
+TEST(ReferenceUvTest, OfACone) {
     expectUvs(shapeOf(Cone{{}, 4.0, 0.5}), {{{0, 1, 0.5}, {0, 0, -1}, {0.25, 0.25}},
                                             {{-1.5, 3, 0}, {1, 0, 0}, {0.5, 0.75}},
                                             {{1, 4, -1}, {0, -1, 0}, {0.75, 0.25}}});
@@ -65,12 +65,12 @@ TEST(ReferenceUv, OfACone) {
                                              {{1, -4, -1}, {0, 1, 0}, {0.75, 0.25}}});
 }
 
-TEST(ReferenceUv, OfADisk) {
+TEST(ReferenceUvTest, OfADisk) {
     expectUvs(shapeOf(Disk{{}, 2.0}),
               {{{1, 0, -1}, {0, -1, 0}, {0.75, 0.25}}, {{-2, 0, 0}, {0, 1, 0}, {0.0, 0.5}}});
 }
 
-TEST(ReferenceUv, IsDefinedAtPolesAndApex) {
+TEST(ReferenceUvTest, IsDefinedAtPolesAndApex) {
     const Scene scene = sceneOf({shapeOf(Sphere{}), shapeOf(Cone{{glm::dmat3(1.0), {5, 0, 0}}})});
     const Geometry geometry(scene);
     const Surface pole = surfaceAt(geometry, {0, 1, 0}, {0, -1, 0});
@@ -103,7 +103,7 @@ void expectDerivatives(const Shape& shape, const SurfacePoint& point, RandomNumb
         << nameOf(QuadricKind(shape.geometry.index()));
 }
 
-TEST(ReferenceDerivatives, AgreeWithStepsOnQuadrics) {
+TEST(ReferenceDerivativesTest, AgreeWithStepsOnQuadrics) {
     RandomNumbers random(41);
     for (const QuadricKind kind : kQuadricKinds) {
         for (int i = 0; i < 2000; ++i) {
@@ -125,7 +125,7 @@ Mesh texturedTriangle(RandomNumbers& random) {
     return mesh;
 }
 
-TEST(ReferenceDerivatives, AndCoordinatesOfATriangleAreLinear) {
+TEST(ReferenceDerivativesTest, AndCoordinatesOfATriangleAreLinear) {
     RandomNumbers random(42);
     for (int i = 0; i < 2000; ++i) {
         const Mesh mesh = texturedTriangle(random);
@@ -146,7 +146,7 @@ TEST(ReferenceDerivatives, AndCoordinatesOfATriangleAreLinear) {
     }
 }
 
-TEST(ReferenceDerivatives, AreZeroWithoutCoordinates) {
+TEST(ReferenceDerivativesTest, AreZeroWithoutCoordinates) {
     RandomNumbers random(43);
     Mesh mesh = texturedTriangle(random);
     mesh.uvs = {glm::dvec2(0.3), glm::dvec2(0.3), glm::dvec2(0.3)};
@@ -175,7 +175,7 @@ Mesh leaningTriangle(double slope, double turn) {
     return mesh;
 }
 
-TEST(ReferenceSmoothNormals, LieBetweenThoseOfTheCornersOnTheSideOfTheFront) {
+TEST(ReferenceSmoothNormalsTest, LieBetweenThoseOfTheCornersOnTheSideOfTheFront) {
     for (const double turn : {1.0, -1.0}) { // a file's normals may point to the back
         const Mesh mesh = leaningTriangle(0.5, turn);
         const Scene scene = sceneOf({shapeOf(mesh)});
@@ -189,7 +189,7 @@ TEST(ReferenceSmoothNormals, LieBetweenThoseOfTheCornersOnTheSideOfTheFront) {
     }
 }
 
-TEST(ReferenceSmoothNormals, CurveTheSurfaceTowardsTheSideWhereItIsConvex) {
+TEST(ReferenceSmoothNormalsTest, CurveTheSurfaceTowardsTheSideWhereItIsConvex) {
     for (const double turn : {1.0, -1.0}) {
         for (const double slope : {0.5, -0.5}) {
             const Scene scene = sceneOf({shapeOf(leaningTriangle(slope, turn))});
@@ -215,7 +215,7 @@ TEST(ReferenceSmoothNormals, CurveTheSurfaceTowardsTheSideWhereItIsConvex) {
     }
 }
 
-TEST(ReferenceSmoothNormals, OfASaddleCurveItByTheConvexCornersOnly) {
+TEST(ReferenceSmoothNormalsTest, OfASaddleCurveItByTheConvexCornersOnly) {
     Mesh mesh = leaningTriangle(0.5, 1.0);
     // The middle of the edge lies below the plane of the corner at x = 1, and above the other's.
     mesh.normals[0] = glm::normalize(glm::dvec3(1, 4, 0));
@@ -226,7 +226,7 @@ TEST(ReferenceSmoothNormals, OfASaddleCurveItByTheConvexCornersOnly) {
     EXPECT_EQ(surface.horizon, surface.ns);
 }
 
-TEST(ReferenceSmoothNormals, LeaveFlatTrianglesFlat) {
+TEST(ReferenceSmoothNormalsTest, LeaveFlatTrianglesFlat) {
     Mesh mesh = leaningTriangle(0.0, 1.0);
     for (const bool hasNormals : {true, false}) {
         if (!hasNormals)
@@ -239,7 +239,7 @@ TEST(ReferenceSmoothNormals, LeaveFlatTrianglesFlat) {
     }
 }
 
-TEST(ReferenceSmoothNormals, ThatCancelAreTheTrianglesOwn) {
+TEST(ReferenceSmoothNormalsTest, ThatCancelAreTheTrianglesOwn) {
     Mesh mesh = leaningTriangle(0.0, 1.0);
     mesh.normals = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}};
     const Scene scene = sceneOf({shapeOf(mesh)});

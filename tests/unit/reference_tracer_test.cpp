@@ -46,7 +46,7 @@ Scene furnace(Shape wall, double albedo, uint32_t bounces) {
     return builder.scene();
 }
 
-TEST(ReferenceTracer, SumsTheSeriesOfAFurnace) {
+TEST(ReferenceTracerTest, SumsTheSeriesOfAFurnace) {
     for (const Shape& wall :
          {shapeOf(Sphere{{}, 1.0}), shapeOf(Cylinder{{}, 1.0, 2.0}), shapeOf(cubeMesh(2))})
         for (const uint32_t bounces : {0u, 1u, 4u, 30u}) {
@@ -68,7 +68,7 @@ Scene ballInTheOpen(const Material& material) {
     return scene;
 }
 
-TEST(ReferenceTracer, GlassDisappearsInEvenLight) {
+TEST(ReferenceTracerTest, GlassDisappearsInEvenLight) {
     for (const double ior : {1.0 / 1.5, 1.5}) {
         Material glass;
         glass.type = MaterialType::Dielectric;
@@ -79,7 +79,7 @@ TEST(ReferenceTracer, GlassDisappearsInEvenLight) {
     }
 }
 
-TEST(ReferenceTracer, ConvexBodiesShowTheirAlbedo) {
+TEST(ReferenceTracerTest, ConvexBodiesShowTheirAlbedo) {
     Material grey;
     grey.color = glm::dvec3(0.3);
     expectNear(radianceOf(ballInTheOpen(grey), 64), 0.3);

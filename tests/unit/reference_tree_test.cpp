@@ -60,9 +60,9 @@ Ray makeRay(const Crowd& crowd, const glm::dvec3& center, RandomNumbers& random)
     return {target - scale * random.powerOfTen(-1.0, 3.0) * direction, direction};
 }
 
-class ReferenceTree : public testing::TestWithParam<Crowd> {};
+class ReferenceTreeTest : public testing::TestWithParam<Crowd> {};
 
-TEST_P(ReferenceTree, FindsWhatBruteForceFinds) {
+TEST_P(ReferenceTreeTest, FindsWhatBruteForceFinds) {
     constexpr uint32_t kTests = 2'000'000; // of primitives against rays
     const Crowd& crowd = GetParam();
     RandomNumbers random(31);
@@ -97,7 +97,7 @@ TEST_P(ReferenceTree, FindsWhatBruteForceFinds) {
     EXPECT_GT(hits, 100u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, ReferenceTree,
+INSTANTIATE_TEST_SUITE_P(Of, ReferenceTreeTest,
                          testing::Values(Crowd{"One", 1, Arrangement::Scattered},
                                          Crowd{"Two", 2, Arrangement::Scattered},
                                          Crowd{"Five", 5, Arrangement::Scattered},
@@ -109,7 +109,7 @@ INSTANTIATE_TEST_SUITE_P(Of, ReferenceTree,
                                          Crowd{"Coincident", 300, Arrangement::Coincident}),
                          [](const auto& instance) { return instance.param.name; });
 
-TEST(ReferenceTreeDepth, IsBoundedForBoxesThatShrinkForever) {
+TEST(ReferenceTreeDepthTest, IsBoundedForBoxesThatShrinkForever) {
     // Cuts at the middle would take one box off at a time, two thousand levels deep.
     std::vector<Shape> shapes;
     for (int power = -1000; power < 30; ++power) {
@@ -128,7 +128,7 @@ TEST(ReferenceTreeDepth, IsBoundedForBoxesThatShrinkForever) {
     }
 }
 
-TEST(ReferenceTreeDepth, IsBoundedForBoxesInOnePlace) {
+TEST(ReferenceTreeDepthTest, IsBoundedForBoxesInOnePlace) {
     const Scene scene = sceneOf(std::vector<Shape>(10'000, shapeOf(Sphere{})));
     const auto hit = Geometry(scene).closest({{0.0, 0.0, 3.0}, {0.0, 0.0, -1.0}});
     ASSERT_TRUE(hit);

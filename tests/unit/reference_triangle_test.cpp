@@ -37,9 +37,9 @@ struct Placement {
     double distance; ///< from the world's origin, in sizes
 };
 
-class ReferenceTriangle : public testing::TestWithParam<Placement> {};
+class ReferenceTriangleTest : public testing::TestWithParam<Placement> {};
 
-TEST_P(ReferenceTriangle, IsHitFromBothSidesWithinItsEdgesOnly) {
+TEST_P(ReferenceTriangleTest, IsHitFromBothSidesWithinItsEdgesOnly) {
     const auto& [name, size, distance] = GetParam();
     RandomNumbers random(21);
     for (int i = 0; i < 20000; ++i) {
@@ -88,13 +88,13 @@ TEST_P(ReferenceTriangle, IsHitFromBothSidesWithinItsEdgesOnly) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, ReferenceTriangle,
+INSTANTIATE_TEST_SUITE_P(Of, ReferenceTriangleTest,
                          testing::Values(Placement{"AtHome", 1.0, 1.0},
                                          Placement{"Tiny", 1e-6, 1.0}, Placement{"Huge", 1e6, 1.0},
                                          Placement{"Moved", 1.0, 1e6}),
                          [](const auto& instance) { return instance.param.name; });
 
-TEST(ReferenceTriangleAtOrigin, DoesNotMeetRaysThatLeaveItThoughItIsHuge) {
+TEST(ReferenceTriangleAtOriginTest, DoesNotMeetRaysThatLeaveItThoughItIsHuge) {
     // Offsets next to the world's origin are next to nothing, compared with the triangle.
     RandomNumbers random(22);
     for (int i = 0; i < 5000; ++i) {
@@ -151,20 +151,20 @@ uint32_t countEscapes(const Mesh& mesh, const glm::dvec3& center, const glm::dve
 constexpr uint32_t kRays = 200'000;
 constexpr glm::dvec3 kNear(0.9);
 
-TEST(ReferenceClosedMesh, OfSharedCornersLetsNoRayOut) {
+TEST(ReferenceClosedMeshTest, OfSharedCornersLetsNoRayOut) {
     EXPECT_EQ(countEscapes(icosphere(4, glm::dvec3(0.0), 1.0), {}, kNear, kRays), 0u);
 }
 
-TEST(ReferenceClosedMesh, WithFlatAxisAlignedBoxesLetsNoRayOut) {
+TEST(ReferenceClosedMeshTest, WithFlatAxisAlignedBoxesLetsNoRayOut) {
     EXPECT_EQ(countEscapes(cubeMesh(16), {}, kNear, kRays), 0u);
 }
 
-TEST(ReferenceClosedMesh, MovedByAMillionSizesLetsNoRayOut) {
+TEST(ReferenceClosedMeshTest, MovedByAMillionSizesLetsNoRayOut) {
     const glm::dvec3 center(1e6, -3e5, 7e5);
     EXPECT_EQ(countEscapes(icosphere(4, center, 1.0), center, kNear, kRays), 0u);
 }
 
-TEST(ReferenceClosedMesh, OfSliversLetsNoRayOut) {
+TEST(ReferenceClosedMeshTest, OfSliversLetsNoRayOut) {
     const glm::dvec3 halfAxes(1.0, 1e-9, 1e-3);
     const Mesh flat = moved(icosphere(4, glm::dvec3(0.0), 1.0), halfAxes, glm::dvec3(0.0));
     EXPECT_EQ(countEscapes(flat, {}, 0.9 * halfAxes, kRays / 4), 0u);
@@ -172,13 +172,13 @@ TEST(ReferenceClosedMesh, OfSliversLetsNoRayOut) {
 
 // Double rounding leaves many products of coordinates equal here, so only the exact sign tells. In
 // thinner ones a start inside counts as in the plane of the walls.
-TEST(ReferenceClosedMesh, SeenAsANeedleLetsNoRayOut) {
+TEST(ReferenceClosedMeshTest, SeenAsANeedleLetsNoRayOut) {
     const glm::dvec3 halfAxes(1.0, 1e-13, 1e-13);
     const Mesh needle = moved(icosphere(3, glm::dvec3(0.0), 1.0), halfAxes, glm::dvec3(0.0));
     EXPECT_EQ(countEscapes(needle, {}, 0.5 * halfAxes, kRays / 10), 0u);
 }
 
-TEST(ReferenceClosedMesh, LetsNoAxisAlignedRayOutAlongItsEdges) {
+TEST(ReferenceClosedMeshTest, LetsNoAxisAlignedRayOutAlongItsEdges) {
     const Mesh cube = cubeMesh(32);
     const Scene scene = sceneOf({shapeOf(cube)});
     const Geometry geometry(scene);
@@ -199,7 +199,7 @@ TEST(ReferenceClosedMesh, LetsNoAxisAlignedRayOutAlongItsEdges) {
     EXPECT_EQ(escapes, 0u);
 }
 
-TEST(ReferenceClosedMesh, LetsNoRayInFromAfar) {
+TEST(ReferenceClosedMeshTest, LetsNoRayInFromAfar) {
     const Mesh mesh = icosphere(4, glm::dvec3(0.0), 1.0);
     const Scene scene = sceneOf({shapeOf(mesh)});
     const Geometry geometry(scene);

@@ -86,7 +86,7 @@ std::vector<uint32_t> countsOf(const AdaptiveSession& session, uint32_t half) {
     return {blocks.begin(), blocks.end()};
 }
 
-TEST(AdaptiveSession, GivesSamplesToNoise) {
+TEST(AdaptiveSessionTest, GivesSamplesToNoise) {
     RareTracer tracer({1, 2});
     AdaptiveSession session(tracer, settingsOf(1024), 64.0);
     EXPECT_EQ(session.run({}), RenderEnding::AllSamples);
@@ -101,7 +101,7 @@ TEST(AdaptiveSession, GivesSamplesToNoise) {
 }
 
 // Which samples a half has never depends on what it found itself: that is why there is no bias.
-TEST(AdaptiveSession, EachHalfIsSteeredByTheOther) {
+TEST(AdaptiveSessionTest, EachHalfIsSteeredByTheOther) {
     const auto counts = [](std::array<uint64_t, 2> seeds, uint32_t half) {
         RareTracer tracer(seeds);
         AdaptiveSession session(tracer, settingsOf(2048), 64.0);
@@ -115,7 +115,7 @@ TEST(AdaptiveSession, EachHalfIsSteeredByTheOther) {
 }
 
 // Rare bright samples are what steering by one's own finds would lose: mean of many pictures.
-TEST(AdaptiveSession, HasNoBias) {
+TEST(AdaptiveSessionTest, HasNoBias) {
     constexpr uint32_t kPictures = 150;
     std::vector<double> means;
     for (uint32_t seed = 0; seed < kPictures; ++seed) {
@@ -140,7 +140,7 @@ TEST(AdaptiveSession, HasNoBias) {
 
 // Where light is rare, what one half finds gives the other more samples there, so that both find
 // less alike: the spread within the halves does not show that. It is some tenth of the error.
-TEST(AdaptiveSession, StatesItsErrorAlmostWholeWhereLightIsRare) {
+TEST(AdaptiveSessionTest, StatesItsErrorAlmostWholeWhereLightIsRare) {
     for (const uint32_t samples : {256u, 1024u}) {
         constexpr uint32_t kPictures = 150;
         double stated = 0.0;
@@ -168,7 +168,7 @@ TEST(AdaptiveSession, StatesItsErrorAlmostWholeWhereLightIsRare) {
     }
 }
 
-TEST(AdaptiveSession, DoesNotDependOnHowTheWorkIsCutUp) {
+TEST(AdaptiveSessionTest, DoesNotDependOnHowTheWorkIsCutUp) {
     RareTracer whole({1, 2});
     RareTracer paused({1, 2}, 3);
     AdaptiveSession a(whole, settingsOf(512), 64.0);
@@ -179,7 +179,7 @@ TEST(AdaptiveSession, DoesNotDependOnHowTheWorkIsCutUp) {
     EXPECT_TRUE(a.picture().pixels == b.picture().pixels);
 }
 
-TEST(AdaptiveSession, EndsByItsGoals) {
+TEST(AdaptiveSessionTest, EndsByItsGoals) {
     RareTracer tracer({1, 2});
     AdaptiveSession aimed(tracer, settingsOf(1u << 20), 64.0);
     RenderGoal goal;
@@ -202,7 +202,7 @@ TEST(AdaptiveSession, EndsByItsGoals) {
 }
 
 // Fewer samples than a first round: whole blocks of both halves.
-TEST(AdaptiveSession, RoundsUpToWholeBlocks) {
+TEST(AdaptiveSessionTest, RoundsUpToWholeBlocks) {
     for (const auto& [asked, given] : {std::pair{1u, 32u}, {40u, 64u}, {128u, 128u}}) {
         RareTracer tracer({1, 2});
         AdaptiveSession session(tracer, settingsOf(asked), 64.0);

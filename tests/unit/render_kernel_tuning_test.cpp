@@ -6,7 +6,7 @@
 namespace calotype::test {
 namespace {
 
-TEST(KernelTuning, SharesTheStackOnGpusAlone) {
+TEST(KernelTuningTest, SharesTheStackOnGpusAlone) {
     DeviceInfo device;
     device.type = "CPU";
     EXPECT_FALSE(tuningFor(device).sharesStack);

@@ -48,7 +48,7 @@ private:
 };
 
 // Whole blocks or a part of one at the end, in passes of any size: every index from 0 on, once.
-TEST(RenderSession, TakesEverySampleIndexOnce) {
+TEST(RenderSessionTest, TakesEverySampleIndexOnce) {
     for (const uint32_t samples : {1u, 7u, 16u, 17u, 40u, 48u})
         for (const uint32_t passSamples : {0u, 1u, 3u, 16u, 100u}) {
             SCOPED_TRACE(testing::Message() << samples << " in passes of " << passSamples);
@@ -82,7 +82,7 @@ Film filmOf(uint32_t firstSample, uint32_t samples) {
 }
 
 // Whatever of the samples a film holds before, it holds them all, once, in the end.
-TEST(RenderSession, GoesOnWithWhatAFilmLacks) {
+TEST(RenderSessionTest, GoesOnWithWhatAFilmLacks) {
     const Film whole = filmOf(0, 160);
     for (const auto& [first, count] :
          {std::pair{0u, 16u}, {0u, 48u}, {32u, 64u}, {144u, 16u}, {0u, 160u}, {64u, 480u}}) {
@@ -98,7 +98,7 @@ TEST(RenderSession, GoesOnWithWhatAFilmLacks) {
     }
 }
 
-TEST(RenderSession, RendersARangeOfSamples) {
+TEST(RenderSessionTest, RendersARangeOfSamples) {
     Film joined = filmOf(96, 64);
     EXPECT_EQ(joined.blocks().ranges().front(), (BlockRange{6, 10}));
     joined.add(filmOf(0, 96));
@@ -106,7 +106,7 @@ TEST(RenderSession, RendersARangeOfSamples) {
 }
 
 // A block that was begun shows in the picture, never in the film.
-TEST(RenderSession, StopsWithinABlock) {
+TEST(RenderSessionTest, StopsWithinABlock) {
     CountingTracer tracer;
     RenderSession session(tracer, settingsFor(0, 64), 64.0);
     RenderObserver observer;
@@ -116,7 +116,7 @@ TEST(RenderSession, StopsWithinABlock) {
     EXPECT_GT(session.picture().pixels[0].x, session.film().picture().pixels[0].x);
 }
 
-TEST(RenderSession, DeadlineLeavesTimeForOneSample) {
+TEST(RenderSessionTest, DeadlineLeavesTimeForOneSample) {
     CountingTracer tracer;
     RenderSession session(tracer, settingsFor(0, 1u << 20), 64.0);
     RenderGoal goal;
@@ -152,7 +152,7 @@ private:
 };
 
 // The bound on the error is looked at when the samples have doubled, and nowhere else.
-TEST(RenderSession, EndsAtALookThatIsGoodEnough) {
+TEST(RenderSessionTest, EndsAtALookThatIsGoodEnough) {
     for (const double target : {0.5, 0.1, 0.02}) {
         SettlingTracer tracer(0.5f);
         RenderSession session(tracer, settingsFor(0, 1u << 16), 64.0);

@@ -10,9 +10,9 @@
 namespace calotype::test {
 namespace {
 
-class SceneDisplacedMesh : public testing::Test, protected JsonContextFixture {
+class SceneDisplacedMeshTest : public testing::Test, protected JsonContextFixture {
 protected:
-    SceneDisplacedMesh() {
+    SceneDisplacedMeshTest() {
         // The height of "opaque" is 128 / 255 everywhere.
         readMaterialsFrom(R"({"plain": {"type": "diffuse", "color": 1},
             "raised": {"type": "diffuse", "color": 1,
@@ -38,7 +38,7 @@ protected:
 constexpr const char* kOwn = R"(, "displacement": {"texture": "opaque", "scale": -5.1,
                                                    "subdivide": 2})";
 
-TEST_F(SceneDisplacedMesh, ByItsMaterial) {
+TEST_F(SceneDisplacedMeshTest, ByItsMaterial) {
     const Mesh mesh = read(R"("material": "raised")");
     EXPECT_EQ(mesh.triangles.size(), 8u);
     EXPECT_NEAR(heightOf(mesh), 1.28, 1e-15);
@@ -47,7 +47,7 @@ TEST_F(SceneDisplacedMesh, ByItsMaterial) {
     EXPECT_EQ(read(R"("material": "plain")").triangles.size(), 2u);
 }
 
-TEST_F(SceneDisplacedMesh, ByItsOwnBeforeItsMaterials) {
+TEST_F(SceneDisplacedMeshTest, ByItsOwnBeforeItsMaterials) {
     for (const char* material : {"raised", "plain"}) {
         const Mesh mesh = read("\"material\": \"" + std::string(material) + "\"" + kOwn);
         EXPECT_EQ(mesh.triangles.size(), 32u);
@@ -55,7 +55,7 @@ TEST_F(SceneDisplacedMesh, ByItsOwnBeforeItsMaterials) {
     }
 }
 
-TEST_F(SceneDisplacedMesh, InObjectSpace) {
+TEST_F(SceneDisplacedMeshTest, InObjectSpace) {
     const Mesh mesh = read(R"("material": "raised",
                               "transform": {"scale": [1, -3, 1], "translate": [0, 10, 0]})");
     EXPECT_NEAR(heightOf(mesh), 10.0 - 3.0 * 1.28, 1e-14);
@@ -68,7 +68,7 @@ TEST_F(SceneDisplacedMesh, InObjectSpace) {
     EXPECT_EQ(mesh.normals.at(t.normal[0]), glm::dvec3(0, -1, 0));
 }
 
-TEST_F(SceneDisplacedMesh, IsSmoothUnlessAskedToBeFlat) {
+TEST_F(SceneDisplacedMeshTest, IsSmoothUnlessAskedToBeFlat) {
     EXPECT_NE(read(R"("material": "raised")").triangles.at(0).normal[0], Mesh::kNoNormal);
     const Mesh flat = read(R"("material": "raised", "normals": "flat")");
     EXPECT_EQ(flat.triangles.at(0).normal[0], Mesh::kNoNormal);
@@ -76,7 +76,7 @@ TEST_F(SceneDisplacedMesh, IsSmoothUnlessAskedToBeFlat) {
               Mesh::kNoNormal);
 }
 
-TEST_F(SceneDisplacedMesh, MistakesAreErrorsAtTheirPlaces) {
+TEST_F(SceneDisplacedMeshTest, MistakesAreErrorsAtTheirPlaces) {
     expectError(
         errorOf([&] { read(R"("material": "plain", "displacement": {"texture": "opaque"})"); }),
         "scene.json: /shapes/0/displacement", "lacks \"scale\"");
@@ -94,7 +94,7 @@ TEST_F(SceneDisplacedMesh, MistakesAreErrorsAtTheirPlaces) {
                 "scene.json: /shapes/0/file", "beyond the range of finite numbers");
 }
 
-TEST_F(SceneDisplacedMesh, WarnsWhereItReadsMissingCoordinates) {
+TEST_F(SceneDisplacedMeshTest, WarnsWhereItReadsMissingCoordinates) {
     EXPECT_NEAR(heightOf(read(R"("material": "raised")", "bare.obj")), 1.28, 1e-15);
     ASSERT_EQ(context.warnings.sentences().size(), 1u);
     EXPECT_NE(context.warnings.sentences()[0].find("\"raised\" lack texture coordinates"),
@@ -104,7 +104,7 @@ TEST_F(SceneDisplacedMesh, WarnsWhereItReadsMissingCoordinates) {
     EXPECT_EQ(context.warnings.sentences().size(), 2u);
 }
 
-TEST_F(SceneDisplacedMesh, OtherShapesStayAndAreWarnedOf) {
+TEST_F(SceneDisplacedMeshTest, OtherShapesStayAndAreWarnedOf) {
     readShape(value(R"({"type": "sphere", "radius": 1, "material": "raised"})", "/shapes/3"),
               context);
     readShape(value(R"({"type": "sphere", "radius": 1, "material": "plain"})", "/shapes/4"),

@@ -49,13 +49,13 @@ Mesh displaced(const std::string& text, const PerMaterial& ofMaterial, const Tex
     return result.value_or(Mesh());
 }
 
-TEST(Displacement, IsNoneWhereNoMaterialHasOne) {
+TEST(DisplacementTest, IsNoneWhereNoMaterialHasOne) {
     const TestMesh square(kSquare);
     EXPECT_FALSE(displace(square.view(), {}, {}, "m.obj"));
     EXPECT_FALSE(displace(square.view(), PerMaterial{std::nullopt, by(1, 0, 1)}, {}, "m.obj"));
 }
 
-TEST(Displacement, OfZeroLeavesTheSurface) {
+TEST(DisplacementTest, OfZeroLeavesTheSurface) {
     for (const Displacement& zero : {by(0.0, 0.0, 3), by(0.5, 0.25, 3)}) {
         const Mesh mesh =
             displaced(kSplitCube, {zero}, image(1, 1, {zero.scale == 0.0 ? 1.0f : 0.25f}));
@@ -65,7 +65,7 @@ TEST(Displacement, OfZeroLeavesTheSurface) {
     }
 }
 
-TEST(Displacement, OfAConstantHeightShiftsAPlane) {
+TEST(DisplacementTest, OfAConstantHeightShiftsAPlane) {
     const Mesh mesh = displaced(kSquare, {by(-0.5, 0.25, 4)}, image(1, 1, {1.0f}));
     EXPECT_EQ(mesh.triangles.size(), 512u);
     EXPECT_EQ(mesh.positions.size(), 17u * 17u);
@@ -76,7 +76,7 @@ TEST(Displacement, OfAConstantHeightShiftsAPlane) {
             EXPECT_EQ(mesh.normals.at(normal), glm::dvec3(0, 1, 0));
 }
 
-TEST(Displacement, OfAConstantHeightScalesAnOctahedron) {
+TEST(DisplacementTest, OfAConstantHeightScalesAnOctahedron) {
     const std::string octahedron = "v 1 0 0\nv -1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nv 0 0 -1\n"
                                    "f 1 3 5\nf 3 2 5\nf 2 4 5\nf 4 1 5\n"
                                    "f 3 1 6\nf 2 3 6\nf 4 2 6\nf 1 4 6\n";
@@ -85,7 +85,7 @@ TEST(Displacement, OfAConstantHeightScalesAnOctahedron) {
     EXPECT_NEAR(areaOf(mesh), 4.0 * std::sqrt(3.0) * 1.25 * 1.25, 10.0 * kRounding);
 }
 
-TEST(Displacement, OfASphereApproachesTheSphereAround) {
+TEST(DisplacementTest, OfASphereApproachesTheSphereAround) {
     // Rings of latitude. Volume errors of a polyhedron shrink with the square of its edges.
     constexpr int kRings = 64;
     constexpr int kSectors = 128;
@@ -115,7 +115,7 @@ TEST(Displacement, OfASphereApproachesTheSphereAround) {
     EXPECT_NEAR(volumeOf(mesh) / exact, 1.0, 0.0025); // (2 pi / 128)^2
 }
 
-TEST(Displacement, OfALinearHeightTiltsAPlane) {
+TEST(DisplacementTest, OfALinearHeightTiltsAPlane) {
     // Two texels, between whose centres u = 1/4 and 3/4 the height rises from 0 to 1.
     const std::string text = "v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nvt 0.25 0\nvt 0.75 0\n"
                              "f 1/1 4/1 3/2\nf 1/1 3/2 2/2\n";
@@ -131,7 +131,7 @@ TEST(Displacement, OfALinearHeightTiltsAPlane) {
     }
 }
 
-TEST(Displacement, KeepsACubeWithSeamsWatertight) {
+TEST(DisplacementTest, KeepsACubeWithSeamsWatertight) {
     Texture checker;
     checker.source = CheckerTexture{{glm::dvec3(0.0), glm::dvec3(1.0)}};
     checker.scale = {7.0, 5.0};
@@ -143,7 +143,7 @@ TEST(Displacement, KeepsACubeWithSeamsWatertight) {
     }
 }
 
-TEST(Displacement, KeepsDifferentMaterialsWatertight) {
+TEST(DisplacementTest, KeepsDifferentMaterialsWatertight) {
     // Three sides are displaced, differently, and three are not.
     std::string text;
     int side = 0;
@@ -171,7 +171,7 @@ TEST(Displacement, KeepsDifferentMaterialsWatertight) {
     EXPECT_LT(inPlace, 2u * 16u * 16u);
 }
 
-TEST(Displacement, AveragesDistinctHeightsAtAPosition) {
+TEST(DisplacementTest, AveragesDistinctHeightsAtAPosition) {
     // Heights are u. Four triangles around (1, 0, 1): texture coordinates of 0.5 (twice), and 0.125
     // there; the last triangle is not displaced.
     const auto heightWith = [](const std::string& last, const PerMaterial& ofMaterial) {
@@ -200,7 +200,7 @@ TEST(Displacement, AveragesDistinctHeightsAtAPosition) {
     EXPECT_NEAR(heightWith("f 1 4 5\n", {whole}), (0.5 + 0.125 + 0.0625) / 3.0, kRounding);
 }
 
-TEST(Displacement, LeavesPositionsWhoseNormalsCancel) {
+TEST(DisplacementTest, LeavesPositionsWhoseNormalsCancel) {
     const Mesh mesh = displaced("v 0 0 0\nv 0.7 0 0.1\nv 0.3 0.9 0\nf 1 2 3\nf 2 1 3\n",
                                 {by(1.0, 0.0, 2)}, image(1, 1, {1.0f}));
     EXPECT_EQ(mesh.positions, subdivide(TestMesh("v 0 0 0\nv 0.7 0 0.1\nv 0.3 0.9 0\n"
@@ -211,7 +211,7 @@ TEST(Displacement, LeavesPositionsWhoseNormalsCancel) {
     EXPECT_EQ(mesh.triangles.at(0).normal[0], Mesh::kNoNormal);
 }
 
-TEST(Displacement, UndisplacedTrianglesKeepTheirNormals) {
+TEST(DisplacementTest, UndisplacedTrianglesKeepTheirNormals) {
     // Two squares side by side; the second has tilted normals and is not displaced.
     const std::string text = "v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 2 0 0\nv 2 0 1\nvn 0.6 0.8 0\n"
                              "usemtl a\nf 1//1 4//1 3//1 2//1\nusemtl b\nf 2//1 3//1 6//1 5//1\n";
@@ -235,7 +235,7 @@ TEST(Displacement, UndisplacedTrianglesKeepTheirNormals) {
     EXPECT_GT(kept, 50u);
 }
 
-TEST(Displacement, RefusesTooManyTrianglesBeforeItMakesThem) {
+TEST(DisplacementTest, RefusesTooManyTrianglesBeforeItMakesThem) {
     const TestMesh cube(kSplitCube);
     const PerMaterial tooMany = {by(1.0, 0.0, 11)};
     const SceneError error =
@@ -246,7 +246,7 @@ TEST(Displacement, RefusesTooManyTrianglesBeforeItMakesThem) {
                  "above the limit of 16777216; lower \"subdivide\" to 10 or split the mesh");
 }
 
-TEST(Displacement, MakesMillionsOfTrianglesInASecondOrTwo) {
+TEST(DisplacementTest, MakesMillionsOfTrianglesInASecondOrTwo) {
     // 100 by 50 squares: 10,000 triangles.
     std::string text = "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n";
     for (int i = 0; i <= 50; ++i)

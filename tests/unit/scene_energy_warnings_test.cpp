@@ -8,9 +8,9 @@
 namespace calotype::test {
 namespace {
 
-class EnergyWarnings : public testing::Test {
+class EnergyWarningsTest : public testing::Test {
 protected:
-    EnergyWarnings() {
+    EnergyWarningsTest() {
         files_.write("white.png", pngOf({255, 255, 255, 255}));
         files_.write("dark.png", pngOf({40, 40, 40, 255}));
     }
@@ -56,7 +56,7 @@ protected:
     SceneFiles files_;
 };
 
-TEST_F(EnergyWarnings, OfConstantMaterialsNameTheirPlace) {
+TEST_F(EnergyWarningsTest, OfConstantMaterialsNameTheirPlace) {
     expectOne(warningsOf(R"({"type": "blinn_phong", "color": 0, "kd": 0.7, "ks": 0.1,
                              "exponent": 9})"),
               "/scene.json: /materials/m: this blinn_phong can reflect more light than it "
@@ -71,7 +71,7 @@ TEST_F(EnergyWarnings, OfConstantMaterialsNameTheirPlace) {
     EXPECT_TRUE(warningsOf(R"({"type": "nonmetal", "color": 0.8, "roughness": 0})").empty());
 }
 
-TEST_F(EnergyWarnings, OfTexturedMaterialsSayCan) {
+TEST_F(EnergyWarningsTest, OfTexturedMaterialsSayCan) {
     expectOne(warningsOf(R"({"type": "nonmetal", "color": "white", "roughness": 0.5})"),
               " % of the light that it receives, at grazing angles; choose a darker colour");
     const std::string rough =
@@ -88,13 +88,13 @@ TEST_F(EnergyWarnings, OfTexturedMaterialsSayCan) {
         EXPECT_TRUE(warningsOf(material).empty()) << material;
 }
 
-TEST_F(EnergyWarnings, KeepSilentOfWhatNothingBears) {
+TEST_F(EnergyWarningsTest, KeepSilentOfWhatNothingBears) {
     const std::string white = R"({"type": "nonmetal", "color": 1, "roughness": 0})";
     EXPECT_TRUE(warningsOf(white, false).empty());
     EXPECT_EQ(warningsOf(white, true).size(), 1u);
 }
 
-TEST_F(EnergyWarnings, OfMtlFilesAreOne) {
+TEST_F(EnergyWarningsTest, OfMtlFilesAreOne) {
     const std::string mtl = "newmtl a\nKd 1\nPr 0\nnewmtl b\nKd 0.5\nPr 0\n"
                             "newmtl c\nmap_Kd white.png\nPr 0\n";
     expectOne(warningsOfMtl(mtl), "/m.obj: materials that can reflect more light than they "
@@ -105,7 +105,7 @@ TEST_F(EnergyWarnings, OfMtlFilesAreOne) {
                     .empty());
 }
 
-TEST_F(EnergyWarnings, OfBareModelsToo) {
+TEST_F(EnergyWarningsTest, OfBareModelsToo) {
     writeObj("newmtl a\nKd 0.5\nnewmtl b\nKd 0.5\nnewmtl c\nKd 1\nPr 0\n");
     expectOne(energyWarnings(loadScene(files_.path("m.obj"))), "roughness): \"m.obj:c\"");
 }

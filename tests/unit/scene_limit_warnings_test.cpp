@@ -5,7 +5,7 @@
 namespace calotype::test {
 namespace {
 
-class LimitWarnings : public testing::Test {
+class LimitWarningsTest : public testing::Test {
 protected:
     std::vector<std::string> warningsOf(const nlohmann::json& scene, const std::string& fragment) {
         std::vector<std::string> warnings = files_.load(scene).warnings;
@@ -31,7 +31,7 @@ std::string diskAt(double y, double x = 0.3, const std::string& normal = "[0, -1
            ", " + std::to_string(y) + R"(, 0.3], "normal": )" + normal + "}";
 }
 
-TEST_F(LimitWarnings, LampsInThePlaneOfWhatCoversThem) {
+TEST_F(LimitWarningsTest, LampsInThePlaneOfWhatCoversThem) {
     const std::string text = "lies in the plane of";
     const auto warnings = warningsOf(underCeiling(diskAt(2.0)), text);
     ASSERT_EQ(warnings.size(), 1u);
@@ -53,7 +53,7 @@ TEST_F(LimitWarnings, LampsInThePlaneOfWhatCoversThem) {
               1u);
 }
 
-TEST_F(LimitWarnings, CountLampsInsteadOfNamingAll) {
+TEST_F(LimitWarningsTest, CountLampsInsteadOfNamingAll) {
     nlohmann::json scene = underCeiling(diskAt(2.0));
     for (int i = 0; i < 30; ++i)
         scene["lights"].push_back(scene["lights"][0]);
@@ -63,7 +63,7 @@ TEST_F(LimitWarnings, CountLampsInsteadOfNamingAll) {
     EXPECT_NE(others[0].find("26 more lights"), std::string::npos) << others[0];
 }
 
-TEST_F(LimitWarnings, NotOfLampsApartBesideOrAcross) {
+TEST_F(LimitWarningsTest, NotOfLampsApartBesideOrAcross) {
     const std::string text = "lies in the plane of";
     EXPECT_TRUE(warningsOf(underCeiling(diskAt(1.9999)), text).empty());
     EXPECT_TRUE(warningsOf(underCeiling(diskAt(2.0, 9.0)), text).empty()) << "beside it";
@@ -77,7 +77,7 @@ TEST_F(LimitWarnings, NotOfLampsApartBesideOrAcross) {
     EXPECT_TRUE(warningsOf(panel, text).empty());
 }
 
-TEST_F(LimitWarnings, LampsThatCrossInOnePlane) {
+TEST_F(LimitWarningsTest, LampsThatCrossInOnePlane) {
     // Strips of a cross: neither holds the other's middle or corners.
     const auto strip = [](double x, double z) {
         return R"({"type": "quad", "radiance": 1, "vertices": [[)" + std::to_string(1 - x) +
@@ -92,7 +92,7 @@ TEST_F(LimitWarnings, LampsThatCrossInOnePlane) {
     EXPECT_EQ(warningsOf(scene, "lies in the plane of").size(), 2u);
 }
 
-TEST_F(LimitWarnings, CapsAndBasesInThePlaneOfACeiling) {
+TEST_F(LimitWarningsTest, CapsAndBasesInThePlaneOfACeiling) {
     const auto warningsAbout = [&](const std::string& shape) {
         nlohmann::json scene = underCeiling(diskAt(1.0));
         scene["materials"]["lamp"] = {{"type", "diffuse"}, {"color", 0}, {"emission", 1}};
@@ -109,7 +109,7 @@ TEST_F(LimitWarnings, CapsAndBasesInThePlaneOfACeiling) {
               1u);
 }
 
-TEST_F(LimitWarnings, LampsInThePlaneOfTheirOwnMesh) {
+TEST_F(LimitWarningsTest, LampsInThePlaneOfTheirOwnMesh) {
     const auto warningsOfModel = [&](double height) {
         files_.write("room.mtl", "newmtl wall\nnewmtl lamp\nKe 1 1 1\n");
         files_.write("room.obj", "mtllib room.mtl\nv -2 2 -2\nv 2 2 -2\nv 2 2 2\nv -2 2 2\nv -1 " +
@@ -123,7 +123,7 @@ TEST_F(LimitWarnings, LampsInThePlaneOfTheirOwnMesh) {
     EXPECT_TRUE(warningsOfModel(1.9).empty());
 }
 
-TEST_F(LimitWarnings, LightsThatTheFilmLosesBesideTheBrightest) {
+TEST_F(LimitWarningsTest, LightsThatTheFilmLosesBesideTheBrightest) {
     const std::string text = "the film loses it";
     nlohmann::json scene = sceneWithLight(diskAt(2.0));
     scene["background"] = 1e-16;
@@ -143,7 +143,7 @@ TEST_F(LimitWarnings, LightsThatTheFilmLosesBesideTheBrightest) {
     EXPECT_TRUE(warningsOf(scene, text).empty());
 }
 
-TEST_F(LimitWarnings, ModelsToo) {
+TEST_F(LimitWarningsTest, ModelsToo) {
     files_.write("model.mtl", "newmtl dim\nKe 1e-20 1e-20 1e-20\n");
     const Scene scene = loadScene(
         files_.write("model.obj", "mtllib model.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl dim\n"
@@ -155,7 +155,7 @@ TEST_F(LimitWarnings, ModelsToo) {
               std::string::npos);
 }
 
-TEST_F(LimitWarnings, ViewsFinerThanRaysAre) {
+TEST_F(LimitWarningsTest, ViewsFinerThanRaysAre) {
     const std::string text = "hardly resolves";
     nlohmann::json scene = sceneWithLight(diskAt(2.0));
     scene["film"] = {{"width", 1000}, {"height", 500}};
@@ -181,7 +181,7 @@ TEST_F(LimitWarnings, ViewsFinerThanRaysAre) {
     EXPECT_TRUE(warningsOf(scene, text).empty());
 }
 
-TEST_F(LimitWarnings, ViewsFinerThanRaysAreInTheSizeThatIsRendered) {
+TEST_F(LimitWarningsTest, ViewsFinerThanRaysAreInTheSizeThatIsRendered) {
     nlohmann::json scene = sceneWithLight(diskAt(2.0));
     scene["camera"]["target"] = {1, 1, 0};
     scene["camera"]["fov"] = 0.028;
@@ -195,7 +195,7 @@ TEST_F(LimitWarnings, ViewsFinerThanRaysAreInTheSizeThatIsRendered) {
     EXPECT_TRUE(isWarnedOf(larger));
 }
 
-TEST_F(LimitWarnings, LensesManyTimesWiderThanTheirFocusIsFar) {
+TEST_F(LimitWarningsTest, LensesManyTimesWiderThanTheirFocusIsFar) {
     const std::string text = "/camera/lens_radius: is more than 100 times the focus_distance";
     nlohmann::json scene = sceneWithLight(diskAt(2.0));
     scene["camera"]["target"] = {1, 1, 0};

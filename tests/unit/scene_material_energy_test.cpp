@@ -12,7 +12,7 @@
 namespace calotype {
 namespace {
 
-TEST(MaterialEnergy, AlbedoOfAMirrorIsFresnelTimesMasking) {
+TEST(MaterialEnergyTest, AlbedoOfAMirrorIsFresnelTimesMasking) {
     // k is 1/8 at roughness 0.
     for (const double cosine : {0.05, 0.3, 0.8, 1.0}) {
         const double fresnel = 0.04 + 0.96 * std::pow(1.0 - cosine, 5.0);
@@ -46,7 +46,7 @@ double slowAlbedo(double cosine, double roughness, double f0) {
     return sum * 2.0 * M_PI / (double(kSteps) * kSteps);
 }
 
-TEST(MaterialEnergy, AlbedoAgreesWithTheEquationsIntegratedOverTheHemisphere) {
+TEST(MaterialEnergyTest, AlbedoAgreesWithTheEquationsIntegratedOverTheHemisphere) {
     for (const double roughness : {0.4, 0.7, 1.0}) {
         for (const double cosine : {0.1, 0.4, 0.9}) {
             EXPECT_NEAR(ggxAlbedo(cosine, roughness, 0.04, Masking::Schlick),
@@ -58,13 +58,13 @@ TEST(MaterialEnergy, AlbedoAgreesWithTheEquationsIntegratedOverTheHemisphere) {
 
 /// Textures: a dark and a white texel, as bytes encoded; an encoded grey of 0.9 (linear 0.787); a
 /// checker of 0.2 and 0.6.
-class ExcessAlbedo : public testing::Test {
+class ExcessAlbedoTest : public testing::Test {
 protected:
     static constexpr uint32_t kBlackAndWhite = 0;
     static constexpr uint32_t kGrey = 1;
     static constexpr uint32_t kChecker = 2;
 
-    ExcessAlbedo() {
+    ExcessAlbedoTest() {
         addImage({2, 1, {10, 10, 10, 255, 255, 255, 255, 255}, {}, true, false});
         addImage({1, 1, {}, {0.9f, 0.9f, 0.9f, 1.0f}, true, false});
         textures_.push_back({"", CheckerTexture{{glm::dvec3(0.2), glm::dvec3(0.6)}}});
@@ -101,7 +101,7 @@ private:
     std::vector<Texture> textures_;
 };
 
-TEST_F(ExcessAlbedo, OfConstantNonmetalsIsThatOfTheirIntegral) {
+TEST_F(ExcessAlbedoTest, OfConstantNonmetalsIsThatOfTheirIntegral) {
     EXPECT_EQ(of(nonmetal(0.87, 0.0)), std::nullopt);
     // The mirror of the test above, at a cosine of 0.15: 0.466 * 0.585^2 + 0.96 * 0.89.
     EXPECT_NEAR(of(nonmetal(0.89, 0.0)).value(), 1.01406, 1e-5);
@@ -114,7 +114,7 @@ TEST_F(ExcessAlbedo, OfConstantNonmetalsIsThatOfTheirIntegral) {
     EXPECT_TRUE(of(smooth));
 }
 
-TEST_F(ExcessAlbedo, OfNonmetalsTakesTheExtremesOfTheirTextures) {
+TEST_F(ExcessAlbedoTest, OfNonmetalsTakesTheExtremesOfTheirTextures) {
     Material white = nonmetal(1.0, 0.0);
     white.colorTexture = kBlackAndWhite;
     EXPECT_EQ(of(white), of(nonmetal(1.0, 0.0)));
@@ -142,7 +142,7 @@ TEST_F(ExcessAlbedo, OfNonmetalsTakesTheExtremesOfTheirTextures) {
     EXPECT_EQ(of(shiny), wanted);
 }
 
-TEST_F(ExcessAlbedo, OfBlinnPhongIsTheSumOfItsWeights) {
+TEST_F(ExcessAlbedoTest, OfBlinnPhongIsTheSumOfItsWeights) {
     // 0.7 + 4 * 0.075 is 1 in decimal, and more in binary.
     EXPECT_EQ(of(blinnPhong(0.0, 0.7, 0.075)), std::nullopt);
     EXPECT_NEAR(of(blinnPhong(0.0, 0.7, 0.076)).value(), 1.004, 1e-12);
@@ -151,7 +151,7 @@ TEST_F(ExcessAlbedo, OfBlinnPhongIsTheSumOfItsWeights) {
     EXPECT_EQ(of(blinnPhong(0.9, 0.7, 0.31, true)), std::nullopt);
 }
 
-TEST_F(ExcessAlbedo, OfTexturedBlinnPhongCountsKdTimesTheBrightestTexel) {
+TEST_F(ExcessAlbedoTest, OfTexturedBlinnPhongCountsKdTimesTheBrightestTexel) {
     Material paint = blinnPhong(1.0, 0.7, 0.1);
     paint.colorTexture = kBlackAndWhite;
     EXPECT_NEAR(of(paint).value(), 1.1, 1e-12);
@@ -161,7 +161,7 @@ TEST_F(ExcessAlbedo, OfTexturedBlinnPhongCountsKdTimesTheBrightestTexel) {
     EXPECT_EQ(of(paint), std::nullopt); // 0.55 + 0.4, since 0.9 decodes to 0.787
 }
 
-TEST_F(ExcessAlbedo, OfOthersIsNone) {
+TEST_F(ExcessAlbedoTest, OfOthersIsNone) {
     for (const auto type : {MaterialType::Diffuse, MaterialType::Metal, MaterialType::Dielectric}) {
         Material material = nonmetal(1.0, 0.0);
         material.type = type;

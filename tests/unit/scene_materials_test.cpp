@@ -7,7 +7,7 @@ namespace {
 
 constexpr uint32_t kNoTexture = Material::kNoTexture;
 
-class SceneMaterials : public testing::Test, protected JsonContextFixture {
+class SceneMaterialsTest : public testing::Test, protected JsonContextFixture {
 protected:
     Material read(const std::string& material) {
         readMaterialsFrom("{\"m\": " + material + "}");
@@ -15,7 +15,7 @@ protected:
     }
 };
 
-TEST_F(SceneMaterials, Metal) {
+TEST_F(SceneMaterialsTest, Metal) {
     const Material metal = read(R"({"type": "metal", "color": [1, 0.8, 0.3], "roughness": 0.25,
         "masking": "smith", "emission": 2, "emission_side": "front", "normal_map": "opaque"})");
     EXPECT_EQ(metal.type, MaterialType::Metal);
@@ -29,7 +29,7 @@ TEST_F(SceneMaterials, Metal) {
     EXPECT_EQ(read(R"({"type": "metal", "color": 1, "roughness": 0})").masking, Masking::Schlick);
 }
 
-TEST_F(SceneMaterials, Nonmetal) {
+TEST_F(SceneMaterialsTest, Nonmetal) {
     const Material plain = read(R"({"type": "nonmetal", "color": 0.5, "roughness": 1})");
     EXPECT_EQ(plain.type, MaterialType::Nonmetal);
     EXPECT_EQ(plain.specular, 0.04);
@@ -41,7 +41,7 @@ TEST_F(SceneMaterials, Nonmetal) {
     EXPECT_EQ(set.masking, Masking::Smith);
 }
 
-TEST_F(SceneMaterials, BlinnPhong) {
+TEST_F(SceneMaterialsTest, BlinnPhong) {
     const Material paint = read(R"({"type": "blinn_phong", "color": "#ff0000", "kd": 0.75,
         "ks": 0.03125, "exponent": 1e7, "normalize": true})");
     EXPECT_EQ(paint.type, MaterialType::BlinnPhong);
@@ -52,7 +52,7 @@ TEST_F(SceneMaterials, BlinnPhong) {
     EXPECT_TRUE(paint.normalize);
 }
 
-TEST_F(SceneMaterials, Dielectric) {
+TEST_F(SceneMaterialsTest, Dielectric) {
     const Material glass = read(R"({"type": "dielectric", "ior": 1.5})");
     EXPECT_EQ(glass.type, MaterialType::Dielectric);
     EXPECT_EQ(glass.color, glm::dvec3(1.0));
@@ -66,7 +66,7 @@ TEST_F(SceneMaterials, Dielectric) {
     EXPECT_EQ(bubble.exteriorIor, 1.33);
 }
 
-TEST_F(SceneMaterials, TexturesReplaceColoursAndNumbers) {
+TEST_F(SceneMaterialsTest, TexturesReplaceColoursAndNumbers) {
     const Material wood = read(R"({"type": "nonmetal", "color": "tiles", "roughness": "holes",
                                    "specular": "opaque"})");
     EXPECT_EQ(wood.colorTexture, kTiles);
@@ -78,7 +78,7 @@ TEST_F(SceneMaterials, TexturesReplaceColoursAndNumbers) {
     EXPECT_EQ(wood.alphaTexture, kNoTexture); // only the colour's alpha counts
 }
 
-TEST_F(SceneMaterials, TransparentColourTexturesCutHolesUnlessToldNot) {
+TEST_F(SceneMaterialsTest, TransparentColourTexturesCutHolesUnlessToldNot) {
     EXPECT_EQ(read(R"({"type": "diffuse", "color": "holes"})").alphaTexture, kHoles);
     EXPECT_EQ(read(R"({"type": "diffuse", "color": "holes", "alpha": true})").alphaTexture, kHoles);
     const Material ignoring = read(R"({"type": "diffuse", "color": "holes", "alpha": false})");
@@ -88,7 +88,7 @@ TEST_F(SceneMaterials, TransparentColourTexturesCutHolesUnlessToldNot) {
     EXPECT_EQ(read(R"({"type": "diffuse", "color": "tiles"})").alphaTexture, kNoTexture);
 }
 
-TEST_F(SceneMaterials, DisplacementsAreKeptByMaterial) {
+TEST_F(SceneMaterialsTest, DisplacementsAreKeptByMaterial) {
     readMaterialsFrom(R"({"flat": {"type": "diffuse", "color": 1}, "rough": {"type": "diffuse",
         "color": 1, "displacement": {"texture": "tiles", "scale": -0.5, "mid": 0.25,
         "subdivide": 3}}, "soft": {"type": "diffuse", "color": 1,
@@ -111,7 +111,7 @@ struct BadMaterial {
     std::string fragment;
 };
 
-TEST_F(SceneMaterials, MistakesAreErrorsWithTheirPlaces) {
+TEST_F(SceneMaterialsTest, MistakesAreErrorsWithTheirPlaces) {
     const std::string metal = R"("type": "metal", "color": 1)";
     const std::string paint = R"("type": "blinn_phong", "color": 1, "kd": 0.5)";
     const std::string rough = metal + R"(, "roughness": 0)";

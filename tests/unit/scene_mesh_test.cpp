@@ -12,7 +12,7 @@ namespace {
 const char* const kTwoMaterials = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
                                   "usemtl seat\nf 1 2 3\nusemtl leg\nf 1 3 4\n";
 
-class SceneMesh : public testing::Test {
+class SceneMeshTest : public testing::Test {
 protected:
     Scene load(const std::string& shapeKeys) {
         return files_.load(
@@ -43,7 +43,7 @@ bool hasWarning(const Scene& scene, const std::string& fragment) {
     return false;
 }
 
-TEST_F(SceneMesh, OneMaterialForTheWholeNeedsNoMtl) {
+TEST_F(SceneMeshTest, OneMaterialForTheWholeNeedsNoMtl) {
     files_.write("m.obj", kTwoMaterials);
     const Scene scene = load(", \"material\": \"wall\"");
     EXPECT_EQ(materialOf(scene, 0).name, "wall");
@@ -51,7 +51,7 @@ TEST_F(SceneMesh, OneMaterialForTheWholeNeedsNoMtl) {
     EXPECT_EQ(scene.materials.size(), 1u);
 }
 
-TEST_F(SceneMesh, MaterialsByTheNamesOfTheObj) {
+TEST_F(SceneMeshTest, MaterialsByTheNamesOfTheObj) {
     files_.write("m.obj", kTwoMaterials);
     nlohmann::json scene = sceneWithShape(
         R"({"type": "mesh", "file": "m.obj", "materials": {"leg": "oak", "*": "wall"}})");
@@ -61,7 +61,7 @@ TEST_F(SceneMesh, MaterialsByTheNamesOfTheObj) {
     EXPECT_EQ(materialOf(loaded, 1).name, "oak");
 }
 
-TEST_F(SceneMesh, MaterialKeysMustFitTheObj) {
+TEST_F(SceneMeshTest, MaterialKeysMustFitTheObj) {
     files_.write("m.obj", kTwoMaterials);
     expectError(errorOfLoading(R"(, "materials": {"saet": "wall", "*": "wall"})"),
                 "scene.json: /shapes/0/materials/saet", "its faces have \"seat\", \"leg\"");
@@ -74,7 +74,7 @@ TEST_F(SceneMesh, MaterialKeysMustFitTheObj) {
                 "scene.json: /shapes/0/materials", "have no material; add \"*\"");
 }
 
-TEST_F(SceneMesh, MtlGivesColourAndEmission) {
+TEST_F(SceneMeshTest, MtlGivesColourAndEmission) {
     files_.write("m.obj", kTwoMaterials);
     files_.write("m.mtl", "A title without its mark\nnewmtl leg\nKd 0.1 0.2 0.3\nKe 4\n\n"
                           "newmtl seat\r\n\tKd 0.5 2 0.5\r\nKs 0 0 0\nd 1\nillum 2\nNs 3\n");
@@ -87,7 +87,7 @@ TEST_F(SceneMesh, MtlGivesColourAndEmission) {
     EXPECT_EQ(scene.warnings.size(), 1u);
 }
 
-TEST_F(SceneMesh, OneWarningNamesWhatTheMtlAsksForInVain) {
+TEST_F(SceneMeshTest, OneWarningNamesWhatTheMtlAsksForInVain) {
     files_.write("m.obj", kTwoMaterials);
     files_.write("m.mtl",
                  "newmtl leg\nKd 0.1\nmap_Ks oak.png\nrefl 0.5 0.5 0.5\nnewmtl seat\nPc 0.5\n"
@@ -97,7 +97,7 @@ TEST_F(SceneMesh, OneWarningNamesWhatTheMtlAsksForInVain) {
                                   "ignored: \"Pc\", \"map_Ks\", \"refl\""));
 }
 
-TEST_F(SceneMesh, MtlFilesThatAreNeededMustBeThere) {
+TEST_F(SceneMeshTest, MtlFilesThatAreNeededMustBeThere) {
     files_.write("m.obj", kTwoMaterials);
     expectError(errorOfLoading(""), "m.obj:7", "\"seat\" is not defined; cannot read \"m.mtl\"");
     files_.write("m.mtl", "newmtl seet\nKd 1\nnewmtl leg\nKd 1\n");
@@ -107,7 +107,7 @@ TEST_F(SceneMesh, MtlFilesThatAreNeededMustBeThere) {
     EXPECT_EQ(materialOf(scene, 0).color, glm::dvec3(0.5));
 }
 
-TEST_F(SceneMesh, MtlNamesMayContainBlanks) {
+TEST_F(SceneMeshTest, MtlNamesMayContainBlanks) {
     files_.write("m.obj",
                  "mtllib none.mtl my\\ own.mtl\nmtllib a b.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\n"
                  "usemtl x\nf 1 2 3\nusemtl y y\nf 1 2 3\n");
@@ -118,7 +118,7 @@ TEST_F(SceneMesh, MtlNamesMayContainBlanks) {
     EXPECT_EQ(materialOf(scene, 1).color, glm::dvec3(0.75));
 }
 
-TEST_F(SceneMesh, MtlColoursMustBeNumbers) {
+TEST_F(SceneMeshTest, MtlColoursMustBeNumbers) {
     files_.write("m.obj", kTwoMaterials);
     for (const char* color : {"spectral x.rfl", "0.5 0.5", "-1 0 0", "nan nan nan", "a b c", ""}) {
         files_.write("m.mtl", std::string("newmtl seat\nnewmtl leg\nKd ") + color + "\n");
@@ -127,7 +127,7 @@ TEST_F(SceneMesh, MtlColoursMustBeNumbers) {
     }
 }
 
-TEST_F(SceneMesh, DegenerateTrianglesAreDroppedAndCounted) {
+TEST_F(SceneMeshTest, DegenerateTrianglesAreDroppedAndCounted) {
     files_.write("m.obj",
                  "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 0 0\nv 0 0 1e-170\nv 1e-170 0 0\n"
                  "f 1 2 3\nf 1 2 5\nf 4 4 1\nf 1 2 4\nf 1 6 7\n");
@@ -143,7 +143,7 @@ TEST_F(SceneMesh, DegenerateTrianglesAreDroppedAndCounted) {
                 "no triangle of this shape has an area");
 }
 
-TEST_F(SceneMesh, NormalsAreTransformedByTheInverseTranspose) {
+TEST_F(SceneMeshTest, NormalsAreTransformedByTheInverseTranspose) {
     // A normal along (1, 1, 0), where X is stretched by 2: (1/2, 1, 0), made one long.
     files_.write("m.obj", "v 0 0 0\nv 0 0 1\nv 1 -1 0\nvn 3 3 0\nf 1//1 2//1 3//1\n");
     const Mesh stretched = loadMesh(R"(, "material": "wall", "transform": {"scale": [2, 1, 1]})");
@@ -159,7 +159,7 @@ TEST_F(SceneMesh, NormalsAreTransformedByTheInverseTranspose) {
     EXPECT_GT(glm::dot(front, mirrored.normals[0]), 0.0);
 }
 
-TEST_F(SceneMesh, SmoothNormalsAreWeightedByArea) {
+TEST_F(SceneMeshTest, SmoothNormalsAreWeightedByArea) {
     // Two right angles at an edge on Z, of areas 1/2 (facing +Y) and 1 (facing +X), whose shared
     // positions are written twice.
     files_.write("m.obj", "v 0 0 0\nv 0 0 1\nv 1 0 0\nf 1 2 3\n"
@@ -180,13 +180,13 @@ TEST_F(SceneMesh, SmoothNormalsAreWeightedByArea) {
     EXPECT_EQ(loadMesh().triangles[0].normal[0], Mesh::kNoNormal);
 }
 
-TEST_F(SceneMesh, SmoothNormalsThatCancelLeaveTheFaceFlat) {
+TEST_F(SceneMeshTest, SmoothNormalsThatCancelLeaveTheFaceFlat) {
     files_.write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 3 2\n");
     const Mesh mesh = loadMesh(R"(, "material": "wall", "normals": "smooth")");
     EXPECT_EQ(mesh.triangles[0].normal[0], Mesh::kNoNormal);
 }
 
-TEST_F(SceneMesh, ReportsProgressByFileName) {
+TEST_F(SceneMeshTest, ReportsProgressByFileName) {
     files_.write("m.obj", kTwoMaterials);
     LoadOptions options;
     std::vector<double> shares;

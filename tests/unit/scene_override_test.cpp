@@ -14,7 +14,7 @@ Scene loadWith(const nlohmann::json& scene, const std::string& pointer, const st
     return files.load(scene, options);
 }
 
-TEST(SceneOverride, ReplacesAndAdds) {
+TEST(SceneOverrideTest, ReplacesAndAdds) {
     nlohmann::json scene = sceneWithShape(R"({"type": "sphere", "radius": 1, "material": "wall"})");
     scene["render"] = {{"spp", 4}};
     EXPECT_EQ(loadWith(scene, "/render/spp", "16").render.samplesPerPixel, 16u);
@@ -35,14 +35,14 @@ TEST(SceneOverride, ReplacesAndAdds) {
               glm::dvec3(1.0));
 }
 
-TEST(SceneOverride, AppliesInOrder) {
+TEST(SceneOverrideTest, AppliesInOrder) {
     const SceneFiles files;
     LoadOptions options;
     options.overrides = {{"/render", "{}"}, {"/render/spp", "3"}, {"/render/spp", "5"}};
     EXPECT_EQ(files.load(plainScene(), options).render.samplesPerPixel, 5u);
 }
 
-TEST(SceneOverride, RefusesWithItsPointer) {
+TEST(SceneOverrideTest, RefusesWithItsPointer) {
     struct Refusal {
         std::string pointer;
         std::string value;
@@ -69,7 +69,7 @@ TEST(SceneOverride, RefusesWithItsPointer) {
     }
 }
 
-TEST(SceneOverride, ValuesAreCheckedLikeTheFiles) {
+TEST(SceneOverrideTest, ValuesAreCheckedLikeTheFiles) {
     expectError(errorOf([] { loadWith(plainScene(), "/camera/fvo", "1"); }),
                 "scene.json: /camera/fvo", "did you mean \"fov\"?");
     // Not JSON, so a text.
@@ -77,7 +77,7 @@ TEST(SceneOverride, ValuesAreCheckedLikeTheFiles) {
                 "scene.json: /camera/fov", "must be a number, not the text \"1e999\"");
 }
 
-TEST(SceneHash, ChangesIfAndOnlyIfTheContentDoes) {
+TEST(SceneHashTest, ChangesIfAndOnlyIfTheContentDoes) {
     const SceneFiles files;
     const char* const obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n";
     files.write("m.obj", std::string("mtllib m.mtl\n") + obj);

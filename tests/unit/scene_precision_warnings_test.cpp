@@ -5,7 +5,7 @@
 namespace calotype::test {
 namespace {
 
-class PrecisionWarnings : public testing::Test {
+class PrecisionWarningsTest : public testing::Test {
 protected:
     /// Those of a scene with a shape of the material "m", whose color is the texture "t".
     std::vector<std::string> warningsOf(const std::string& shape, const std::string& texture) {
@@ -38,7 +38,7 @@ protected:
     SceneFiles files_;
 };
 
-TEST_F(PrecisionWarnings, OfTexturesReadFarFromTheirOrigin) {
+TEST_F(PrecisionWarningsTest, OfTexturesReadFarFromTheirOrigin) {
     const std::string image = R"({"type": "image", "file": "two.png"})";
     const auto warnings = warningsOf(quadAt(2.0 * 0x1p20), image);
     ASSERT_EQ(warnings.size(), 1u);
@@ -50,13 +50,13 @@ TEST_F(PrecisionWarnings, OfTexturesReadFarFromTheirOrigin) {
     EXPECT_TRUE(warningsOf(quadAt(100.0), image).empty());
 }
 
-TEST_F(PrecisionWarnings, CountTheScaleAndNotTheCheckersSize) {
+TEST_F(PrecisionWarningsTest, CountTheScaleAndNotTheCheckersSize) {
     const std::string checker = R"({"type": "checker", "colors": [0, 1], "scale": [1024, 1]})";
     EXPECT_TRUE(warningsOf(quadAt(1024.0), checker).empty());
     EXPECT_EQ(warningsOf(quadAt(1025.0), checker).size(), 1u);
 }
 
-TEST_F(PrecisionWarnings, OfAModelFilesTexturesInOneSentence) {
+TEST_F(PrecisionWarningsTest, OfAModelFilesTexturesInOneSentence) {
     files_.write("two.png", pngOf({255, 255, 255, 255}));
     files_.write("m.mtl", "newmtl a\nmap_Kd two.png\nnewmtl b\nmap_Kd -s 3 3 3 two.png\n");
     const std::string model = files_.write("m.obj", "mtllib m.mtl\n"
@@ -69,7 +69,7 @@ TEST_F(PrecisionWarnings, OfAModelFilesTexturesInOneSentence) {
     EXPECT_NE(warnings[0].find("read up to 6e+06 texels"), std::string::npos) << warnings[0];
 }
 
-TEST_F(PrecisionWarnings, OfWhatIsTooThin) {
+TEST_F(PrecisionWarningsTest, OfWhatIsTooThin) {
     for (const char* solid :
          {R"({"type": "cylinder", "radius": 1, "height": 1e4, "material": "m"})",
           R"({"type": "cylinder", "radius": 1, "height": 1e-4, "material": "m"})",
@@ -86,7 +86,7 @@ TEST_F(PrecisionWarnings, OfWhatIsTooThin) {
     }
 }
 
-TEST_F(PrecisionWarnings, OfManyThinShapesInOneSentence) {
+TEST_F(PrecisionWarningsTest, OfManyThinShapesInOneSentence) {
     nlohmann::json scene = plainScene();
     for (const double height : {1.0, 2e4, 3e5, 1e-5})
         scene["shapes"].push_back(
@@ -99,7 +99,7 @@ TEST_F(PrecisionWarnings, OfManyThinShapesInOneSentence) {
     EXPECT_NE(warnings[0].find("the most of 3 so thin"), std::string::npos) << warnings[0];
 }
 
-TEST_F(PrecisionWarnings, OfWhatIsSmallForItsDistance) {
+TEST_F(PrecisionWarningsTest, OfWhatIsSmallForItsDistance) {
     const auto cylinderAt = [](double distance, double radius, double height) {
         nlohmann::json scene = plainScene();
         scene["shapes"].push_back({{"type", "cylinder"},
@@ -122,7 +122,7 @@ TEST_F(PrecisionWarnings, OfWhatIsSmallForItsDistance) {
     EXPECT_TRUE(ofPrecision(files_.load(cylinderAt(1e5, 3.0, 0.01)).warnings).empty()) << "a coin";
 }
 
-TEST_F(PrecisionWarnings, OfThinAndScatteredTrianglesForTheirDistance) {
+TEST_F(PrecisionWarningsTest, OfThinAndScatteredTrianglesForTheirDistance) {
     const auto warningsOfModel = [&](const std::string& vertices, const std::string& faces) {
         files_.write("m.obj", vertices + faces);
         nlohmann::json scene =
@@ -146,7 +146,7 @@ TEST_F(PrecisionWarnings, OfThinAndScatteredTrianglesForTheirDistance) {
               1u);
 }
 
-TEST_F(PrecisionWarnings, OfWhatIsSmallInAnyCase) {
+TEST_F(PrecisionWarningsTest, OfWhatIsSmallInAnyCase) {
     const auto tiny = [](double radius) {
         return sceneWithShape(R"({"type": "sphere", "center": [0, 1, 4], "material": "wall",
                                   "radius": )" +
@@ -161,7 +161,7 @@ TEST_F(PrecisionWarnings, OfWhatIsSmallInAnyCase) {
         << warnings[0];
 }
 
-TEST_F(PrecisionWarnings, OfManySmallShapesInOneSentence) {
+TEST_F(PrecisionWarningsTest, OfManySmallShapesInOneSentence) {
     nlohmann::json scene = plainScene();
     for (const double radius : {1.0, 1e-3, 1e-4, 2e-3})
         scene["shapes"].push_back({{"type", "sphere"},

@@ -5,7 +5,7 @@
 namespace calotype::test {
 namespace {
 
-class RadianceRange : public testing::Test {
+class RadianceRangeTest : public testing::Test {
 protected:
     std::string errorOfEmission(double emission) {
         nlohmann::json scene =
@@ -34,7 +34,7 @@ private:
     SceneFiles files_;
 };
 
-TEST_F(RadianceRange, EndsWhereFloatLosesIt) {
+TEST_F(RadianceRangeTest, EndsWhereFloatLosesIt) {
     for (const double inside : {0.0, 1.1e-30, 1.0, 0.9e30}) {
         EXPECT_EQ(errorOfEmission(inside), "") << inside;
         EXPECT_EQ(errorOfBackground(inside), "") << inside;

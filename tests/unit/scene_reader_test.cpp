@@ -58,7 +58,7 @@ std::string nameOf(const testing::TestParamInfo<Mistake>& info) {
     return name;
 }
 
-TEST(SceneReader, AcceptsTheValidScene) {
+TEST(SceneReaderTest, AcceptsTheValidScene) {
     const SceneFiles files;
     writeTriangle(files);
     const Scene scene = files.loadText(kValidScene);

@@ -59,7 +59,7 @@ void collectProperties(const nlohmann::json& schema, std::set<std::string>& keys
     }
 }
 
-TEST(SceneSchema, EverySceneLoadsWithoutWarnings) {
+TEST(SceneSchemaTest, EverySceneLoadsWithoutWarnings) {
     const std::vector<fs::path> scenes = sceneFiles();
     EXPECT_GE(scenes.size(), 9u);
     for (const fs::path& path : scenes) {
@@ -69,7 +69,7 @@ TEST(SceneSchema, EverySceneLoadsWithoutWarnings) {
     }
 }
 
-TEST(SceneSchema, KnowsEveryKeyInTheScenes) {
+TEST(SceneSchemaTest, KnowsEveryKeyInTheScenes) {
     std::set<std::string> known;
     collectProperties(readJson(kSourceFolder / "scenes" / "scene.schema.json"), known);
     for (const fs::path& path : sceneFiles()) {
@@ -80,7 +80,7 @@ TEST(SceneSchema, KnowsEveryKeyInTheScenes) {
     }
 }
 
-TEST(SceneSchema, IsWhatTheReadersTablesSay) {
+TEST(SceneSchemaTest, IsWhatTheReadersTablesSay) {
     std::ifstream file(kSourceFolder / "scenes" / "scene.schema.json");
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     EXPECT_EQ(text, sceneSchema()) << "write it anew: calotype schema > scenes/scene.schema.json";
@@ -100,11 +100,11 @@ void expectDescriptions(const nlohmann::json& schema, const std::string& place) 
     }
 }
 
-TEST(SceneSchema, DescribesEveryKey) {
+TEST(SceneSchemaTest, DescribesEveryKey) {
     expectDescriptions(nlohmann::json::parse(sceneSchema()), "");
 }
 
-TEST(SceneSchema, ValidatesTheScenesAndRefusesBrokenOnes) {
+TEST(SceneSchemaTest, ValidatesTheScenesAndRefusesBrokenOnes) {
     constexpr int kModuleMissing = 77;
     constexpr int kCommandMissing = 127;
     const fs::path script = kSourceFolder / "tests" / "unit" / "schema_check.py";

@@ -9,7 +9,7 @@
 namespace calotype::test {
 namespace {
 
-TEST(Subdivide, CountsAreForeseen) {
+TEST(SubdivideTest, CountsAreForeseen) {
     EXPECT_EQ(subdividedCount(5, 0), 5u);
     EXPECT_EQ(subdividedCount(5, 3), 320u);
     EXPECT_EQ(subdividedCount(1, 31), uint64_t{1} << 62);
@@ -18,7 +18,7 @@ TEST(Subdivide, CountsAreForeseen) {
     EXPECT_EQ(subdividedCount(0, ~0u), 0u);
 }
 
-TEST(Subdivide, SplitsAtTheMidpointsOfEdges) {
+TEST(SubdivideTest, SplitsAtTheMidpointsOfEdges) {
     const TestMesh one("v 0 0 0\nv 4 0 0\nv 0 4 2\nvt 0 0\nvt 1 0\nvt 0 1\nvn 0 0 1\nvn 0 9 0\n"
                        "vn 0 0 1\nf 1/1/1 2/2/2 3/3/3\n");
     const Mesh mesh = subdivide(one.view(), 1);
@@ -41,7 +41,7 @@ TEST(Subdivide, SplitsAtTheMidpointsOfEdges) {
     }
 }
 
-TEST(Subdivide, MakesFourOfEachAndSharesAllPositions) {
+TEST(SubdivideTest, MakesFourOfEachAndSharesAllPositions) {
     const TestMesh cube(kSplitCube);
     for (const uint32_t times : {0u, 1u, 3u, 5u}) {
         const Mesh mesh = subdivide(cube.view(), times);
@@ -54,7 +54,7 @@ TEST(Subdivide, MakesFourOfEachAndSharesAllPositions) {
     }
 }
 
-TEST(Subdivide, OppositeNormalsLeaveTheirTrianglesFlat) {
+TEST(SubdivideTest, OppositeNormalsLeaveTheirTrianglesFlat) {
     const TestMesh two("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nvn 0 0 -1\nvn 0 1 1\n"
                        "usemtl a\nf 1//1 2//2 3//1\nusemtl b\nf 1//1 2//3 3//1\n");
     const Mesh mesh = subdivide(two.view(), 2);

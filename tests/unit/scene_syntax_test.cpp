@@ -17,13 +17,13 @@ double secondsFor(const std::string& text) {
     return processorSeconds([&] { errorOf([&] { files.loadText(text); }); });
 }
 
-TEST(SceneSyntax, AcceptsCommentsOfBothKinds) {
+TEST(SceneSyntaxTest, AcceptsCommentsOfBothKinds) {
     const SceneFiles files;
     const Scene scene = files.loadText("// first\n{ /* in\nside */ \"camera\": {} // last\n}");
     EXPECT_EQ(scene.film.width, 640u);
 }
 
-TEST(SceneSyntax, NamesLineAndColumn) {
+TEST(SceneSyntaxTest, NamesLineAndColumn) {
     expectError(errorOfText("{\n  \"camera\": {},\n  \"film\" {}\n}"), "scene.json:3:10",
                 "expected ':'");
     expectError(errorOfText("{\"camera\": {},}"), "scene.json:1:15", "unexpected '}'");
@@ -33,12 +33,12 @@ TEST(SceneSyntax, NamesLineAndColumn) {
     expectError(errorOfText("{\"camera\": {} /* open"), "scene.json:1:22", "missing closing '*/'");
 }
 
-TEST(SceneSyntax, CountsCharactersNotBytes) {
+TEST(SceneSyntaxTest, CountsCharactersNotBytes) {
     // Two-byte letters: the comma stands in column 8.
     expectError(errorOfText("{\"\u00e4\u00f6\u00fc\":,}"), "scene.json:1:8", "unexpected ','");
 }
 
-TEST(SceneSyntax, RefusesRepeatedKeysWithTheirPointer) {
+TEST(SceneSyntaxTest, RefusesRepeatedKeysWithTheirPointer) {
     expectError(errorOfText("{\"camera\": {}, \"camera\": {}}"), "scene.json: /camera", "repeated");
     expectError(errorOfText("{\"camera\": {\"fov\": 40, \"fov\": 41}}"), "scene.json: /camera/fov",
                 "the key \"fov\" is repeated");
@@ -46,28 +46,28 @@ TEST(SceneSyntax, RefusesRepeatedKeysWithTheirPointer) {
                 "scene.json: /shapes/1/b~1c", "repeated");
 }
 
-TEST(SceneSyntax, RefusesNumbersBeyondDoubles) {
+TEST(SceneSyntaxTest, RefusesNumbersBeyondDoubles) {
     expectError(errorOfText("{\"camera\": {\"fov\": 1e999}}"), "scene.json: /camera/fov",
                 "\"1e999\" is larger");
     expectError(errorOfText("{\"camera\": {\"up\": [0, -1e999, 0]}}"), "scene.json: /camera/up/1",
                 "larger");
 }
 
-TEST(SceneSyntax, RefusesTextThatIsNotUtf8) {
+TEST(SceneSyntaxTest, RefusesTextThatIsNotUtf8) {
     expectError(errorOfText("{\"\xff\": 1}"), "scene.json:1:3", "UTF-8");
 }
 
-TEST(SceneSyntax, RefusesOtherRootsThanAnObject) {
+TEST(SceneSyntaxTest, RefusesOtherRootsThanAnObject) {
     expectError(errorOfText("[]"), "scene.json", "must be an object, not an array");
 }
 
-TEST(SceneSyntax, MessagesStayOnOneLine) {
+TEST(SceneSyntaxTest, MessagesStayOnOneLine) {
     const SceneError error = errorOfText("{\"camera\": {\"a\\nb\": 1}}");
     expectError(error, "scene.json: /camera/a\\nb", "unknown key \"a\\nb\"");
     EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
 }
 
-TEST(SceneSyntax, DeepNestingNeitherCrashesNorLasts) {
+TEST(SceneSyntaxTest, DeepNestingNeitherCrashesNorLasts) {
     const size_t depth = 1'000'000;
     expectError(errorOfText(std::string(depth, '[')), "scene.json: /0", "more than 100 deep");
     std::string closed = "{\"camera\": " + std::string(depth, '[') + std::string(depth, ']') + "}";
@@ -75,12 +75,12 @@ TEST(SceneSyntax, DeepNestingNeitherCrashesNorLasts) {
     EXPECT_LT(secondsFor(closed), 1.0);
 }
 
-TEST(SceneSyntax, NestingOfAHundredIsStillRead) {
+TEST(SceneSyntaxTest, NestingOfAHundredIsStillRead) {
     const std::string text = "{\"camera\": " + std::string(99, '[') + std::string(99, ']') + "}";
     expectError(errorOfText(text), "scene.json: /camera", "must be an object");
 }
 
-TEST(SceneSyntax, LongNamesAreShortenedAndCostNothing) {
+TEST(SceneSyntaxTest, LongNamesAreShortenedAndCostNothing) {
     const std::string name(1'000'000, 'k');
     for (const std::string& text :
          {"{\"" + name + "\": 1}", "{\"camera\": {\"type\": \"" + name + "\"}}", "\"" + name,
@@ -90,7 +90,7 @@ TEST(SceneSyntax, LongNamesAreShortenedAndCostNothing) {
     }
 }
 
-TEST(SceneSyntax, ManyRepetitionsOfAKeyStopAtTheFirst) {
+TEST(SceneSyntaxTest, ManyRepetitionsOfAKeyStopAtTheFirst) {
     std::string text = "{";
     for (int i = 0; i < 100'000; ++i)
         text += "\"a\": 1, ";

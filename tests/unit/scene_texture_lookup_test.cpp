@@ -76,7 +76,7 @@ double reference(const TexelImage& image, double u, double v, TextureWrap wrap,
     return sum;
 }
 
-TEST(TextureLookup, AgreesWithTheReferenceInsideAtEdgesAndFarOutside) {
+TEST(TextureLookupTest, AgreesWithTheReferenceInsideAtEdgesAndFarOutside) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> inside(0.0, 1.0);
     std::uniform_real_distribution<double> outside(-9.0, 9.0);
@@ -101,7 +101,7 @@ TEST(TextureLookup, AgreesWithTheReferenceInsideAtEdgesAndFarOutside) {
     }
 }
 
-TEST(TextureLookup, TexelCentresGiveTexelsTheRightWayUp) {
+TEST(TextureLookupTest, TexelCentresGiveTexelsTheRightWayUp) {
     const TexelImage image = randomBytes(5, 3);
     for (const auto filter : {TextureFilter::Bilinear, TextureFilter::Nearest}) {
         const Texture texture = textureOf(image, TextureWrap::Repeat, filter);
@@ -116,7 +116,7 @@ TEST(TextureLookup, TexelCentresGiveTexelsTheRightWayUp) {
     }
 }
 
-TEST(TextureLookup, ScalesAndShiftsBeforeItWraps) {
+TEST(TextureLookupTest, ScalesAndShiftsBeforeItWraps) {
     const TexelImage image = randomBytes(4, 4);
     const Texture plain = textureOf(image, TextureWrap::Repeat, TextureFilter::Bilinear);
     Texture moved = plain;
@@ -128,7 +128,7 @@ TEST(TextureLookup, ScalesAndShiftsBeforeItWraps) {
     }
 }
 
-TEST(TextureLookup, FloatsAreReadAsTheyAre) {
+TEST(TextureLookupTest, FloatsAreReadAsTheyAre) {
     const TexelImage image{2, 1, {}, {-3.5f, 9, 9, 1, 1000.0f, 9, 9, 1}, false, false};
     const Texture texture = textureOf(image, TextureWrap::Clamp, TextureFilter::Bilinear);
     EXPECT_EQ(lookUpScalar(texture, {0.25, 0.5}), -3.5);
@@ -137,7 +137,7 @@ TEST(TextureLookup, FloatsAreReadAsTheyAre) {
     EXPECT_EQ(lookUpScalar(texture, {-5.0, 0.5}), -3.5);
 }
 
-TEST(TextureLookup, CheckersTurnWithTheParityOfTheirFields) {
+TEST(TextureLookupTest, CheckersTurnWithTheParityOfTheirFields) {
     Texture checker;
     checker.source = CheckerTexture{{glm::dvec3(0.25, 9, 9), glm::dvec3(0.75, 9, 9)}};
     checker.scale = {8.0, 4.0};
@@ -150,7 +150,7 @@ TEST(TextureLookup, CheckersTurnWithTheParityOfTheirFields) {
     }
 }
 
-TEST(TextureLookup, StaysInRangeAtAnyCoordinate) {
+TEST(TextureLookupTest, StaysInRangeAtAnyCoordinate) {
     const TexelImage image = randomBytes(5, 3);
     Texture checker;
     checker.source = CheckerTexture{{glm::dvec3(0.0), glm::dvec3(1.0)}};

@@ -15,9 +15,9 @@ nlohmann::json sceneWithTexture(const std::string& texture) {
     return scene;
 }
 
-class SceneTexture : public testing::Test {
+class SceneTextureTest : public testing::Test {
 protected:
-    SceneTexture() { files_.write("red.png", pngOf({255, 0, 0, 255})); }
+    SceneTextureTest() { files_.write("red.png", pngOf({255, 0, 0, 255})); }
 
     Texture load(const std::string& texture) {
         return files_.load(sceneWithTexture(texture)).textures.at(0);
@@ -32,7 +32,7 @@ protected:
     SceneFiles files_;
 };
 
-TEST_F(SceneTexture, ImagesHaveTheFormatsDefaults) {
+TEST_F(SceneTextureTest, ImagesHaveTheFormatsDefaults) {
     const Texture texture = load(R"({"type": "image", "file": "red.png"})");
     const auto image = std::get<ImageTexture>(texture.source);
     EXPECT_EQ(texture.name, "t");
@@ -46,7 +46,7 @@ TEST_F(SceneTexture, ImagesHaveTheFormatsDefaults) {
     EXPECT_EQ(image.image->bytes[1], 0);
 }
 
-TEST_F(SceneTexture, ImagesTakeEveryKey) {
+TEST_F(SceneTextureTest, ImagesTakeEveryKey) {
     const std::string text = R"({"type": "image", "file": "red.png", "wrap": "mirror",
         "filter": "nearest", "color_space": "linear", "scale": [2, 0.5]})";
     const ImageTexture image = loadImage(text);
@@ -60,7 +60,7 @@ TEST_F(SceneTexture, ImagesTakeEveryKey) {
         loadImage(R"({"type": "image", "file": "red.png", "color_space": "srgb"})").decodesColor);
 }
 
-TEST_F(SceneTexture, CheckersHaveTwoColoursAndAScale) {
+TEST_F(SceneTextureTest, CheckersHaveTwoColoursAndAScale) {
     const Texture texture =
         load(R"({"type": "checker", "colors": [0.8, [0, 0.5, 1]], "scale": [8, 4]})");
     const auto checker = std::get<CheckerTexture>(texture.source);
@@ -69,7 +69,7 @@ TEST_F(SceneTexture, CheckersHaveTwoColoursAndAScale) {
     EXPECT_EQ(texture.scale, glm::dvec2(8.0, 4.0));
 }
 
-TEST_F(SceneTexture, MistakesNameTheirPlace) {
+TEST_F(SceneTextureTest, MistakesNameTheirPlace) {
     expectError(errorOfLoading(R"({"type": "picture"})"), "scene.json: /textures/t/type",
                 "\"image\", \"checker\"");
     expectError(errorOfLoading(R"({"type": "image"})"), "scene.json: /textures/t",
@@ -90,7 +90,7 @@ TEST_F(SceneTexture, MistakesNameTheirPlace) {
                 "scene.json: /textures/t/scale", "an array of 2");
 }
 
-TEST_F(SceneTexture, MissingFilesAreErrorsThatHelp) {
+TEST_F(SceneTextureTest, MissingFilesAreErrorsThatHelp) {
     const SceneError error = errorOfLoading(R"({"type": "image", "file": "rad.png"})");
     expectError(error, "scene.json: /textures/t/file", "\"rad.png\"; did you mean \"red.png\"?");
     expectError(error, "scene.json: /textures/t/file", "--missing-textures warn");
@@ -100,7 +100,7 @@ TEST_F(SceneTexture, MissingFilesAreErrorsThatHelp) {
                 "scene.json: /textures/t/file", "did you mean \"maps/stone.png\"?");
 }
 
-TEST_F(SceneTexture, MissingFilesMayBeMagenta) {
+TEST_F(SceneTextureTest, MissingFilesMayBeMagenta) {
     LoadOptions options;
     options.missingTextures = MissingTextures::Warn;
     const Scene scene =
@@ -114,7 +114,7 @@ TEST_F(SceneTexture, MissingFilesMayBeMagenta) {
         << scene.warnings[0];
 }
 
-TEST_F(SceneTexture, CorruptFilesAreErrorsInAnyCase) {
+TEST_F(SceneTextureTest, CorruptFilesAreErrorsInAnyCase) {
     files_.write("bad.png", pngOf({1, 2, 3, 255}).substr(0, 50));
     LoadOptions options;
     options.missingTextures = MissingTextures::Warn;
@@ -123,7 +123,7 @@ TEST_F(SceneTexture, CorruptFilesAreErrorsInAnyCase) {
     expectError(error, "bad.png", "incomplete");
 }
 
-TEST_F(SceneTexture, EachFileIsReadOnce) {
+TEST_F(SceneTextureTest, EachFileIsReadOnce) {
     nlohmann::json scene = plainScene();
     scene["textures"]["a"] = {{"type", "image"}, {"file", "red.png"}};
     scene["textures"]["b"] = {{"type", "image"}, {"file", "RED.png"}, {"wrap", "clamp"}};
@@ -132,7 +132,7 @@ TEST_F(SceneTexture, EachFileIsReadOnce) {
               std::get<ImageTexture>(loaded.textures.at(1).source).image);
 }
 
-TEST_F(SceneTexture, TheirContentIsInTheHash) {
+TEST_F(SceneTextureTest, TheirContentIsInTheHash) {
     const std::string texture = R"({"type": "image", "file": "red.png"})";
     const uint64_t before = files_.load(sceneWithTexture(texture)).hash;
     EXPECT_EQ(files_.load(sceneWithTexture(texture)).hash, before);
@@ -140,9 +140,9 @@ TEST_F(SceneTexture, TheirContentIsInTheHash) {
     EXPECT_NE(files_.load(sceneWithTexture(texture)).hash, before);
 }
 
-class FindFile : public testing::Test {
+class FindFileTest : public testing::Test {
 protected:
-    FindFile() {
+    FindFileTest() {
         std::filesystem::create_directories(files_.path("Textures/Old Wood"));
         for (const char* name : {"Textures/Old Wood/Oak 1.PNG", "a.png", "A.png", "b.Png"})
             files_.write(name, "");
@@ -157,7 +157,7 @@ protected:
     SceneFiles files_;
 };
 
-TEST_F(FindFile, InAnyCaseAndWithAnySlash) {
+TEST_F(FindFileTest, InAnyCaseAndWithAnySlash) {
     const std::string oak = "Textures/Old Wood/Oak 1.PNG";
     for (const char* name : {"Textures/Old Wood/Oak 1.PNG", "textures/old wood/oak 1.png",
                              "TEXTURES\\Old Wood\\OAK 1.png", "textures\\\\old wood\\\\oak 1.png",
@@ -172,7 +172,7 @@ TEST_F(FindFile, InAnyCaseAndWithAnySlash) {
         EXPECT_EQ(find(name), "") << name;
 }
 
-TEST_F(FindFile, AbsolutePathsOfOtherMachinesEndHere) {
+TEST_F(FindFileTest, AbsolutePathsOfOtherMachinesEndHere) {
     EXPECT_EQ(find("C:\\Users\\me\\a.png"), "a.png");
     EXPECT_EQ(find("d:/models/textures/old wood/oak 1.png"), "Textures/Old Wood/Oak 1.PNG");
     EXPECT_EQ(find("\\\\server\\share\\B.png"), "b.Png");
@@ -181,12 +181,12 @@ TEST_F(FindFile, AbsolutePathsOfOtherMachinesEndHere) {
     EXPECT_EQ(find(files_.path("a.png")), "a.png");
 }
 
-TEST_F(FindFile, FoldersThatDifferInCaseAreBothSearched) {
+TEST_F(FindFileTest, FoldersThatDifferInCaseAreBothSearched) {
     std::filesystem::create_directories(files_.path("textures"));
     EXPECT_EQ(find("textures/old wood/oak 1.png"), "Textures/Old Wood/Oak 1.PNG");
 }
 
-TEST_F(FindFile, OddNamesTakeBoundedTime) {
+TEST_F(FindFileTest, OddNamesTakeBoundedTime) {
     std::string deep;
     for (int i = 0; i < 500'000; ++i)
         deep += "/a";

@@ -28,7 +28,7 @@ Geometry shapeOf(const std::string& shape) {
     return std::get<Geometry>(files.load(sceneWithShape(shape)).shapes.at(0).geometry);
 }
 
-TEST(Rotation, TurnsAboutXThenYThenZ) {
+TEST(RotationTest, TurnsAboutXThenYThenZ) {
     // X by 90: y -> z. Then Y by 90: z -> x. Then Z by 90: x -> y.
     expectNear(rotationFromDegrees({90, 90, 90}) * glm::dvec3(0, 1, 0), {0, 1, 0}, 0.0);
     expectNear(rotationFromDegrees({90, 0, 0}) * glm::dvec3(0, 1, 0), {0, 0, 1}, 0.0);
@@ -37,7 +37,7 @@ TEST(Rotation, TurnsAboutXThenYThenZ) {
     expectNear(rotationFromDegrees({0, 90, 90}) * glm::dvec3(0, 0, 1), {0, 1, 0}, 0.0);
 }
 
-TEST(Rotation, IsExactAtQuarterTurnsHoweverMany) {
+TEST(RotationTest, IsExactAtQuarterTurnsHoweverMany) {
     for (const double turns : {-4e6, -3.0, -1.0, 1.0, 2.0, 7.0, 4e9 + 1.0}) {
         const glm::dmat3 r = rotationFromDegrees({0, 0, 90.0 * turns});
         const int quarter = static_cast<int>(((static_cast<int64_t>(turns) % 4) + 4) % 4);
@@ -50,7 +50,7 @@ TEST(Rotation, IsExactAtQuarterTurnsHoweverMany) {
                {half * half * std::sqrt(3.0), 0.5, 0});
 }
 
-TEST(Rotation, TakesYToAnyDirection) {
+TEST(RotationTest, TakesYToAnyDirection) {
     EXPECT_EQ(rotationTakingYTo({0, 1, 0}), glm::dmat3(1.0));
     std::vector<glm::dvec3> directions = {{0, -1, 0}, {1, 0, 0}, {0, 0, -1}, {0, -0.0, 1}};
     for (const double tiny : {1e-3, 1e-8, 1e-17, 1e-300}) {
@@ -68,7 +68,7 @@ TEST(Rotation, TakesYToAnyDirection) {
     }
 }
 
-TEST(AffineTransform, TellsSingularFromMerelyExtreme) {
+TEST(AffineTransformTest, TellsSingularFromMerelyExtreme) {
     EXPECT_FALSE(isSingular(glm::dmat3(1e-200)));
     EXPECT_FALSE(isSingular(glm::dmat3(1e200)));
     EXPECT_FALSE(isSingular({1, 0, 0, 0, 1e-30, 0, 0, 0, 1}));
@@ -80,7 +80,7 @@ TEST(AffineTransform, TellsSingularFromMerelyExtreme) {
     EXPECT_TRUE(isMirroring({1e-200, 0, 0, 0, -1e-200, 0, 0, 0, 1e-200}));
 }
 
-TEST(AffineTransform, SimilarityAllowsTypedDigitsOnly) {
+TEST(AffineTransformTest, SimilarityAllowsTypedDigitsOnly) {
     EXPECT_TRUE(asSimilarity({glm::dmat3(1e-200), {}}));
     EXPECT_FALSE(asSimilarity({{1, 0, 0, 0, 1.0001, 0, 0, 0, 1}, {}}));
     // A rotation by 45 degrees, doubled, typed to six digits.
@@ -91,7 +91,7 @@ TEST(AffineTransform, SimilarityAllowsTypedDigitsOnly) {
     expectNear(typed->rigid.rotation[0], {half, half, 0});
 }
 
-TEST(SceneTransform, QuadricsFoldTheScaleIntoTheirSizes) {
+TEST(SceneTransformTest, QuadricsFoldTheScaleIntoTheirSizes) {
     const Sphere sphere = shapeOf<Sphere>(R"({"type": "sphere", "material": "wall", "radius": 0.5,
         "center": [1, 0, 0],
         "transform": {"translate": [10, 0, 0], "rotate": [0, 0, 90], "scale": 3}})");
@@ -106,7 +106,7 @@ TEST(SceneTransform, QuadricsFoldTheScaleIntoTheirSizes) {
     EXPECT_EQ(cone.worldFromObject.direction({0, 1, 0}), glm::dvec3(0, 0, 1));
 }
 
-TEST(SceneTransform, MirroredQuadricsKeepTheirOutside) {
+TEST(SceneTransformTest, MirroredQuadricsKeepTheirOutside) {
     const Disk disk = shapeOf<Disk>(R"({"type": "disk", "material": "wall", "radius": 1,
         "normal": [1, 0, 0], "center": [1, 0, 0], "transform": {"scale": [-2, 2, 2]}})");
     EXPECT_EQ(disk.radius, 2.0);
@@ -115,7 +115,7 @@ TEST(SceneTransform, MirroredQuadricsKeepTheirOutside) {
     EXPECT_EQ(glm::determinant(disk.worldFromObject.rotation), -1.0);
 }
 
-TEST(SceneTransform, AxisReplacesY) {
+TEST(SceneTransformTest, AxisReplacesY) {
     const Cylinder cylinder = shapeOf<Cylinder>(R"({"type": "cylinder", "material": "wall",
         "center": [1, 2, 3], "radius": 0.5, "height": 4, "axis": [0, 0, -7]})");
     EXPECT_EQ(cylinder.worldFromObject.direction({0, 1, 0}), glm::dvec3(0, 0, -1));
@@ -123,14 +123,14 @@ TEST(SceneTransform, AxisReplacesY) {
     EXPECT_EQ(cylinder.height, 4.0);
 }
 
-TEST(SceneTransform, MatrixIsRowMajor) {
+TEST(SceneTransformTest, MatrixIsRowMajor) {
     const Sphere sphere = shapeOf<Sphere>(R"({"type": "sphere", "material": "wall", "radius": 1,
         "center": [1, 2, 3], "transform": {"matrix": [0,-2,0,10, 2,0,0,20, 0,0,2,30, 0,0,0,1]}})");
     EXPECT_EQ(sphere.worldFromObject.translation, glm::dvec3(6, 22, 36));
     EXPECT_EQ(sphere.radius, 2.0);
 }
 
-TEST(SceneTransform, MeshesAcceptAnyScaleAndKeepTheirFronts) {
+TEST(SceneTransformTest, MeshesAcceptAnyScaleAndKeepTheirFronts) {
     const std::string triangle = R"({"type": "triangle", "material": "wall",
         "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]], "transform": {"scale": )";
     const auto normalOf = [](const Mesh& mesh) {
@@ -144,7 +144,7 @@ TEST(SceneTransform, MeshesAcceptAnyScaleAndKeepTheirFronts) {
     EXPECT_EQ(normalOf(shapeOf<Mesh>(triangle + "[2, 3, -1]}}")), glm::dvec3(0, 0, -6));
 }
 
-TEST(SceneTransform, QuadsAreTwoTrianglesInOnePlane) {
+TEST(SceneTransformTest, QuadsAreTwoTrianglesInOnePlane) {
     const Mesh quad = shapeOf<Mesh>(R"({"type": "quad", "material": "wall",
         "vertices": [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]})");
     ASSERT_EQ(quad.triangles.size(), 2u);
@@ -158,7 +158,7 @@ TEST(SceneTransform, QuadsAreTwoTrianglesInOnePlane) {
     EXPECT_THROW(shapeOf<Mesh>(start + "5.7e-4], [0, 1, 0]]}"), SceneError);
 }
 
-TEST(SceneTransform, HalfAQuadIsKeptWithAWarning) {
+TEST(SceneTransformTest, HalfAQuadIsKeptWithAWarning) {
     const SceneFiles files;
     const Scene scene = files.load(sceneWithShape(R"({"type": "quad", "material": "wall",
         "vertices": [[0, 0, 0], [1, 0, 0], [1, 1, 0], [1, 1, 0]]})"));
@@ -167,7 +167,7 @@ TEST(SceneTransform, HalfAQuadIsKeptWithAWarning) {
     EXPECT_NE(scene.warnings.at(0).find("/shapes/0: half of the quad"), std::string::npos);
 }
 
-TEST(SceneTransform, RefusesShapesBeyondFiniteNumbers) {
+TEST(SceneTransformTest, RefusesShapesBeyondFiniteNumbers) {
     const std::string huge = R"("transform": {"scale": 1e200}})";
     expectError(errorOf([&] {
                     shapeOf<Mesh>(R"({"type": "triangle", "material": "wall",

@@ -26,9 +26,9 @@ glm::dvec2 uvAt(const Mesh& mesh, size_t triangle, const glm::dvec3& position) {
     return {};
 }
 
-class SceneUvs : public testing::Test, protected JsonContextFixture {
+class SceneUvsTest : public testing::Test, protected JsonContextFixture {
 protected:
-    SceneUvs() {
+    SceneUvsTest() {
         readMaterialsFrom(R"({"plain": {"type": "diffuse", "color": 1},
                               "tiled": {"type": "diffuse", "color": "tiles"}})");
     }
@@ -42,7 +42,7 @@ protected:
             "material": "plain")";
 };
 
-TEST_F(SceneUvs, PolygonsHaveThoseOfTheFormat) {
+TEST_F(SceneUvsTest, PolygonsHaveThoseOfTheFormat) {
     const Mesh quad = read(std::string(kQuad) + "}");
     EXPECT_EQ(uvsOf(quad, 0), (Uvs{{0, 0}, {1, 0}, {1, 1}}));
     EXPECT_EQ(uvsOf(quad, 1), (Uvs{{0, 0}, {1, 1}, {0, 1}}));
@@ -51,14 +51,14 @@ TEST_F(SceneUvs, PolygonsHaveThoseOfTheFormat) {
     EXPECT_EQ(uvsOf(triangle, 0), (Uvs{{0, 0}, {1, 0}, {0, 1}}));
 }
 
-TEST_F(SceneUvs, PolygonsHaveThoseOfTheFile) {
+TEST_F(SceneUvsTest, PolygonsHaveThoseOfTheFile) {
     const Mesh quad =
         read(std::string(kQuad) + R"(, "uvs": [[0.5, 2], [3, -4], [5, 6.5], [7, 8]]})");
     EXPECT_EQ(uvsOf(quad, 0), (Uvs{{0.5, 2}, {3, -4}, {5, 6.5}}));
     EXPECT_EQ(uvsOf(quad, 1), (Uvs{{0.5, 2}, {5, 6.5}, {7, 8}}));
 }
 
-TEST_F(SceneUvs, BeyondSinglePrecisionAreErrorsWithTheirPlace) {
+TEST_F(SceneUvsTest, BeyondSinglePrecisionAreErrorsWithTheirPlace) {
     const auto readWith = [&](const std::string& coordinate) {
         return read(kQuad + std::string(R"(, "uvs": [[0, 0], [1, 0], [1, 1], [0, )") + coordinate +
                     "]]}");
@@ -70,7 +70,7 @@ TEST_F(SceneUvs, BeyondSinglePrecisionAreErrorsWithTheirPlace) {
     EXPECT_EQ(uvAt(readWith("-1e9"), 1, {0, 2, 0}), glm::dvec2(0, -1e9));
 }
 
-TEST_F(SceneUvs, StayWithTheirCornersInAMirror) {
+TEST_F(SceneUvsTest, StayWithTheirCornersInAMirror) {
     const std::string uvs = R"(, "uvs": [[1, 2], [3, 4], [5, 6], [7, 8]], "transform": )";
     const Mesh quad = read(kQuad + uvs + R"({"scale": [-1, 1, 1]}})");
     EXPECT_EQ(uvAt(quad, 0, {0, 0, 0}), glm::dvec2(1, 2));
@@ -79,7 +79,7 @@ TEST_F(SceneUvs, StayWithTheirCornersInAMirror) {
     EXPECT_EQ(uvAt(quad, 1, {0, 2, 0}), glm::dvec2(7, 8));
 }
 
-TEST_F(SceneUvs, LightsHaveNone) {
+TEST_F(SceneUvsTest, LightsHaveNone) {
     const Scene scene = files.load(sceneWithLight(R"({"type": "quad", "radiance": 5,
             "vertices": [[-1, 3, -1], [1, 3, -1], [1, 3, 1], [-1, 3, 1]]})"));
     const Mesh& mesh = std::get<Mesh>(scene.shapes.at(0).geometry);
@@ -87,7 +87,7 @@ TEST_F(SceneUvs, LightsHaveNone) {
     EXPECT_EQ(mesh.triangles.at(1).uv[2], Mesh::kNoUv);
 }
 
-TEST_F(SceneUvs, OfMeshesAreThoseInUse) {
+TEST_F(SceneUvsTest, OfMeshesAreThoseInUse) {
     files.write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nvt 9 9\nvt 0.5 0.25\nvt 8 8\n"
                          "vt 1 0\nvt 0 1\nf 1/1 2/1 4/3\nf 1/2 2/4 3/5\n");
     const Mesh mesh = read(R"({"type": "mesh", "file": "m.obj", "material": "plain",
@@ -99,7 +99,7 @@ TEST_F(SceneUvs, OfMeshesAreThoseInUse) {
     EXPECT_EQ(uvAt(mesh, 0, {0, 1, 0}), glm::dvec2(0, 1));
 }
 
-TEST_F(SceneUvs, MissingOnesAreWarnedOfWhereTexturesAreRead) {
+TEST_F(SceneUvsTest, MissingOnesAreWarnedOfWhereTexturesAreRead) {
     files.write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     read(R"({"type": "mesh", "file": "m.obj", "material": "plain"})");
     EXPECT_TRUE(context.warnings.sentences().empty());
@@ -114,7 +114,7 @@ TEST_F(SceneUvs, MissingOnesAreWarnedOfWhereTexturesAreRead) {
     EXPECT_EQ(context.warnings.sentences().size(), 1u);
 }
 
-TEST(ObjUvs, EveryFormOfCorner) {
+TEST(ObjUvsTest, EveryFormOfCorner) {
     const ObjFile obj = parseObj("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvn 0 0 1\n"
                                  "vt 0 0.5\nvt 1 0.25 7\nf 1/1 2/2 3/1\nvt 0.125\n"
                                  "f 1/-1 2/-2 3/-3\nf 1/3/1 2/2/1 3/1/1 4/-1/1\nf 1//1 2//1 3//1\n",
@@ -132,7 +132,7 @@ TEST(ObjUvs, EveryFormOfCorner) {
     EXPECT_EQ(obj.triangles[2].normal[0], 0u);
 }
 
-TEST(ObjUvs, OfAFaceOnlyAsAWhole) {
+TEST(ObjUvsTest, OfAFaceOnlyAsAWhole) {
     const ObjFile obj = parseObj("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\n"
                                  "f 1/1 2/1 3/1 4\nf 1/1 2/1 3/1\n",
                                  "a.obj");

@@ -31,7 +31,7 @@ Material materialOf(const std::string& material) {
         .materials.at(0);
 }
 
-TEST(SceneValues, CameraDefaultsLookAlongMinusZ) {
+TEST(SceneValuesTest, CameraDefaultsLookAlongMinusZ) {
     const Camera camera = cameraOf("{\"position\": [1, 2, 3]}");
     expectNear(camera.position, {1, 2, 3});
     expectNear(camera.forward, {0, 0, -1});
@@ -40,7 +40,7 @@ TEST(SceneValues, CameraDefaultsLookAlongMinusZ) {
     EXPECT_NEAR(camera.verticalFov, 40.0 * kPi / 180.0, kRounding);
 }
 
-TEST(SceneValues, CameraLooksAtItsTargetWithOrthonormalAxes) {
+TEST(SceneValuesTest, CameraLooksAtItsTargetWithOrthonormalAxes) {
     // Looking along +X with a tilted up: right is +Z, and up loses its part along the view.
     const Camera camera = cameraOf(
         "{\"position\": [0, 1, 0], \"target\": [7, 1, 0], \"up\": [3, 2, 0], \"fov\": 90}");
@@ -50,7 +50,7 @@ TEST(SceneValues, CameraLooksAtItsTargetWithOrthonormalAxes) {
     EXPECT_NEAR(camera.verticalFov, kPi / 2.0, kRounding);
 }
 
-TEST(SceneValues, OrthographicCamerasHaveAHeight) {
+TEST(SceneValuesTest, OrthographicCamerasHaveAHeight) {
     const Camera camera = cameraOf(R"({"type": "orthographic", "height": 3, "lens_radius": 0.5,
                                        "position": [0, 0, 5], "focus_distance": 2})");
     EXPECT_EQ(camera.projection, Projection::Orthographic);
@@ -60,7 +60,7 @@ TEST(SceneValues, OrthographicCamerasHaveAHeight) {
     EXPECT_EQ(cameraOf(R"({"type": "perspective"})").projection, Projection::Perspective);
 }
 
-TEST(SceneValues, LensesFocusOnTheTargetUnlessTold) {
+TEST(SceneValuesTest, LensesFocusOnTheTargetUnlessTold) {
     // 3, 4 and 12 make 13.
     const std::string at = R"({"position": [1, 1, 1], "target": [4, 5, 13], "lens_radius": 0.1)";
     EXPECT_NEAR(cameraOf(at + "}").focusDistance, 13.0, 13.0 * kRounding);
@@ -69,7 +69,7 @@ TEST(SceneValues, LensesFocusOnTheTargetUnlessTold) {
     EXPECT_EQ(cameraOf(R"({"lens_radius": 0})").lensRadius, 0.0); // a pinhole needs no distance
 }
 
-TEST(SceneValues, CameraMatrixIsWorldFromCamera) {
+TEST(SceneValuesTest, CameraMatrixIsWorldFromCamera) {
     // A quarter turn about Y: the camera's -Z becomes the world's -X.
     const Camera camera = cameraOf("{\"matrix\": [0,0,1,5, 0,1,0,6, -1,0,0,7, 0,0,0,1]}");
     expectNear(camera.position, {5, 6, 7});
@@ -78,7 +78,7 @@ TEST(SceneValues, CameraMatrixIsWorldFromCamera) {
     expectNear(camera.forward, {-1, 0, 0});
 }
 
-TEST(SceneValues, CameraMatrixMustBeRigid) {
+TEST(SceneValuesTest, CameraMatrixMustBeRigid) {
     for (const char* matrix :
          {"[2,0,0,0, 0,2,0,0, 0,0,2,0, 0,0,0,1]", "[-1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]",
           "[1,0.1,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]"}) {
@@ -91,7 +91,7 @@ TEST(SceneValues, CameraMatrixMustBeRigid) {
     expectError(error, "scene.json: /camera/up", "exclude each other");
 }
 
-TEST(SceneValues, ColoursComeInThreeNotations) {
+TEST(SceneValuesTest, ColoursComeInThreeNotations) {
     EXPECT_EQ(materialOf(R"({"type": "diffuse", "color": 0.25})").color, glm::dvec3(0.25));
     EXPECT_EQ(materialOf(R"({"type": "diffuse", "color": [0, 0.5, 1]})").color,
               glm::dvec3(0.0, 0.5, 1.0));
@@ -100,7 +100,7 @@ TEST(SceneValues, ColoursComeInThreeNotations) {
     expectNear(hex.color, {1.0, 0.21586050011389926, 10.0 / 255.0 / 12.92});
 }
 
-TEST(SceneValues, EmissionAndItsSide) {
+TEST(SceneValuesTest, EmissionAndItsSide) {
     const Material both = materialOf(R"({"type": "diffuse", "color": 0, "emission": [12, 11, 9]})");
     EXPECT_EQ(both.emission, glm::dvec3(12.0, 11.0, 9.0));
     EXPECT_FALSE(both.emitsFromFrontOnly);
@@ -110,7 +110,7 @@ TEST(SceneValues, EmissionAndItsSide) {
                     .emitsFromFrontOnly);
 }
 
-TEST(SceneValues, FilmAndRenderSettings) {
+TEST(SceneValuesTest, FilmAndRenderSettings) {
     const SceneFiles files;
     const Scene defaults = files.loadText(R"({"camera": {}})");
     EXPECT_EQ(defaults.film.width, 640u);
@@ -127,7 +127,7 @@ TEST(SceneValues, FilmAndRenderSettings) {
     EXPECT_EQ(set.render.seed, 4294967295u);
 }
 
-TEST(SceneValues, EveryFilmFilter) {
+TEST(SceneValuesTest, EveryFilmFilter) {
     const SceneFiles files;
     const auto filterOf = [&](const std::string& name) {
         return files.loadText("{\"camera\": {}, \"film\": {\"filter\": \"" + name + "\"}}")
@@ -140,7 +140,7 @@ TEST(SceneValues, EveryFilmFilter) {
     EXPECT_EQ(files.loadText(R"({"camera": {}})").film.filter, FilmFilter::Box);
 }
 
-TEST(SceneValues, LightsBearBlackEmittingMaterialsOfTheirOwn) {
+TEST(SceneValuesTest, LightsBearBlackEmittingMaterialsOfTheirOwn) {
     const SceneFiles files;
     nlohmann::json scene =
         sceneWithLight(R"({"type": "disk", "radius": 1, "radiance": [3, 2, 1]})");
@@ -163,7 +163,7 @@ TEST(SceneValues, LightsBearBlackEmittingMaterialsOfTheirOwn) {
               loaded.shapes[1].material);
 }
 
-TEST(SceneValues, PowerIsSpreadOverAreaSidesAndDirections) {
+TEST(SceneValuesTest, PowerIsSpreadOverAreaSidesAndDirections) {
     const SceneFiles files;
     const auto radianceOf = [&](const std::string& light) {
         const Scene scene = files.load(sceneWithLight(light));
@@ -181,7 +181,7 @@ TEST(SceneValues, PowerIsSpreadOverAreaSidesAndDirections) {
                 1.0 / (kPi * kPi * 4.0), kRounding);
 }
 
-TEST(SceneValues, WarnsOfABlackPicture) {
+TEST(SceneValuesTest, WarnsOfABlackPicture) {
     const SceneFiles files;
     const auto warningsOf = [&](const nlohmann::json& scene) { return files.load(scene).warnings; };
     ASSERT_EQ(warningsOf(plainScene()).size(), 1u);

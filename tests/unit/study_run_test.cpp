@@ -81,7 +81,7 @@ std::unique_ptr<RenderSession> noiseSession(NoiseTracer& tracer, const RenderSet
 }
 
 // From a reference of twice its samples a picture is a fifth further away than its error.
-TEST(StudyReference, TakesOffItsOwnError) {
+TEST(StudyReferenceTest, TakesOffItsOwnError) {
     RenderSettings settings;
     settings.sampler = Sampler::Independent;
     settings.width = settings.height = 64;
@@ -104,7 +104,7 @@ TEST(StudyReference, TakesOffItsOwnError) {
 const StudyObserver kPatient{[] { return false; }, [](const std::string&) {}};
 
 // Through all of it: the errors are those of the noise that went in, and so is the advice.
-TEST(TimedStudy, MeasuresWhatIsThere) {
+TEST(TimedStudyTest, MeasuresWhatIsThere) {
     const Study study = runStudy(planOf(4.0), kPrepare, kPatient);
     ASSERT_EQ(study.ending, StudyEnding::Whole);
     ASSERT_TRUE(study.reference);
@@ -151,7 +151,7 @@ private:
 };
 
 // A machine that gets slow half way through the variants does not make the later ones slow.
-TEST(TimedStudy, CorrectsForTheMachinesPace) {
+TEST(TimedStudyTest, CorrectsForTheMachinesPace) {
     StudyPlan plan = planOf(8.0);
     plan.usual.width = plan.usual.height = 16;
     plan.usual.crop = {0, 0, 16, 16};
@@ -188,7 +188,7 @@ private:
 };
 
 // What one setting cannot do is no reason to lose the others.
-TEST(TimedStudy, GoesOnWhereAVariantFails) {
+TEST(TimedStudyTest, GoesOnWhereAVariantFails) {
     const PrepareTracer prepare = [](const RenderSettings& settings) {
         if (settings.bvh == BvhBuilder::Median)
             throw GpuError("the device was lost.");
@@ -222,7 +222,7 @@ TEST(TimedStudy, GoesOnWhereAVariantFails) {
 }
 
 // Preparations that take far longer than the budget has for them.
-TEST(TimedStudy, EndsWithItsBudget) {
+TEST(TimedStudyTest, EndsWithItsBudget) {
     const PrepareTracer slow = [](const RenderSettings& settings) {
         std::this_thread::sleep_for(std::chrono::milliseconds(400));
         return kPrepare(settings);
@@ -252,7 +252,7 @@ private:
     std::vector<glm::vec4> black_;
 };
 
-TEST(TimedStudy, SaysWhyThereIsNothingToStudy) {
+TEST(TimedStudyTest, SaysWhyThereIsNothingToStudy) {
     const auto messageOf = [](double seconds, const PrepareTracer& prepare) -> std::string {
         try {
             runStudy(planOf(seconds), prepare, kPatient);
@@ -270,7 +270,7 @@ TEST(TimedStudy, SaysWhyThereIsNothingToStudy) {
 }
 
 // The user stops it while a variant is being prepared.
-TEST(TimedStudy, StopsInAPreparation) {
+TEST(TimedStudyTest, StopsInAPreparation) {
     const PrepareTracer prepare = [](const RenderSettings& settings) {
         if (!settings.transport.usesRoulette)
             throw StudyStopped();
@@ -281,7 +281,7 @@ TEST(TimedStudy, StopsInAPreparation) {
     EXPECT_EQ(study.measurements.back().variant.name, "independent samples");
 }
 
-TEST(TimedStudy, StoppedKeepsWhatIsWhole) {
+TEST(TimedStudyTest, StoppedKeepsWhatIsWhole) {
     const auto start = std::chrono::steady_clock::now();
     const auto age = [&] {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -27,7 +27,7 @@ Measurement madeUp(const std::string& name, double factor, double rate, double f
     return measurement;
 }
 
-TEST(StudyMeasurement, ReadsTimesOffItsCurve) {
+TEST(StudyMeasurementTest, ReadsTimesOffItsCurve) {
     const Measurement one = madeUp("usual", 1.0, 10.0); // error^2 * seconds = 0.1
     for (const double target : {0.9, 0.1, 0.05, 0.01})
         EXPECT_NEAR(one.secondsTo(target).value(), 0.1 / (target * target), 1e-9);
@@ -49,7 +49,7 @@ TEST(StudyMeasurement, ReadsTimesOffItsCurve) {
     EXPECT_FALSE(rare.floor());
 }
 
-TEST(StudyMeasurement, NothingIsKnownWithoutErrors) {
+TEST(StudyMeasurementTest, NothingIsKnownWithoutErrors) {
     Measurement blind = madeUp("blind", 1.0, 10.0);
     for (CurvePoint& point : blind.curve)
         point.error.reset();
@@ -57,7 +57,7 @@ TEST(StudyMeasurement, NothingIsKnownWithoutErrors) {
     EXPECT_TRUE(paretoFront({blind}).empty());
 }
 
-TEST(StudyMeasurement, NothingBeatsTheFront) {
+TEST(StudyMeasurementTest, NothingBeatsTheFront) {
     const std::vector<Measurement> all = {madeUp("usual", 1.0, 10.0),
                                           madeUp("dark", 0.3, 10.0, 0.2), madeUp("slow", 1.0, 3.0)};
     const std::vector<CurvePoint> front = paretoFront(all);
@@ -73,7 +73,7 @@ TEST(StudyMeasurement, NothingBeatsTheFront) {
     EXPECT_EQ(front.front().error, all[1].curve.front().error) << "dark but soon";
 }
 
-TEST(StudyAdvice, ComparesWithTheUsual) {
+TEST(StudyAdviceTest, ComparesWithTheUsual) {
     const Measurement usual = madeUp("usual", 1.0, 10.0);
     const Measurement better = madeUp("better", 0.5, 8.0);
     const Comparison comparison = compare(better, usual);
@@ -107,7 +107,7 @@ TEST(StudyAdvice, ComparesWithTheUsual) {
 }
 
 // Of errors that do not fall as the root of samples only those of as many can be compared.
-TEST(StudyAdvice, ComparesErrorsOfAsManySamples) {
+TEST(StudyAdviceTest, ComparesErrorsOfAsManySamples) {
     Measurement steep = madeUp("usual", 1.0, 10.0);
     for (CurvePoint& point : steep.curve)
         point.error = std::pow(point.samples, -0.7);
@@ -122,7 +122,7 @@ TEST(StudyAdvice, ComparesErrorsOfAsManySamples) {
 }
 
 // What the machine's pace could have done by chance is no reason to choose.
-TEST(StudyAdvice, DoubtsTimesOfAnUnevenMachine) {
+TEST(StudyAdviceTest, DoubtsTimesOfAnUnevenMachine) {
     Study study;
     study.measurements = {madeUp("usual", 1.0, 10.0), madeUp("quicker", 1.0, 13.0)};
     EXPECT_EQ(choicesOf(study)[0].measurement->variant.name, "quicker");
@@ -134,7 +134,7 @@ TEST(StudyAdvice, DoubtsTimesOfAnUnevenMachine) {
     EXPECT_NE(sentence.find("within the measurement noise"), std::string::npos) << sentence;
 }
 
-TEST(StudyAdvice, ChoosesWhatIsSoonestThere) {
+TEST(StudyAdviceTest, ChoosesWhatIsSoonestThere) {
     Study study;
     study.measurements = {madeUp("usual", 1.0, 10.0), madeUp("noise", 0.98, 10.0),
                           madeUp("dark", 0.2, 10.0, 0.03), madeUp("slow", 2.0, 10.0)};
@@ -155,7 +155,7 @@ TEST(StudyAdvice, ChoosesWhatIsSoonestThere) {
     EXPECT_EQ(choicesOf(study)[0].measurement, nullptr);
 }
 
-TEST(StudyVariants, ChangeOneThingEach) {
+TEST(StudyVariantsTest, ChangeOneThingEach) {
     RenderSettings usual;
     usual.maxBounces = 12;
     const std::vector<Variant> variants = variantsOf(usual, 0.5);
@@ -179,7 +179,7 @@ TEST(StudyVariants, ChangeOneThingEach) {
     EXPECT_EQ(both.settings(usual).sampler, Sampler::Independent);
 }
 
-TEST(StudyMarkup, IsWhatTheStandardsSay) {
+TEST(StudyMarkupTest, IsWhatTheStandardsSay) {
     EXPECT_EQ(escaped("a<b & \"c\">"), "a&lt;b &amp; &quot;c&quot;&gt;");
     // The start of every PNG, in base 64; and whole groups of four digits.
     for (const uint32_t width : {1u, 2u, 3u, 7u}) {
