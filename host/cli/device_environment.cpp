@@ -10,7 +10,7 @@
 namespace calotype {
 namespace {
 
-/// Empty where it is not set.
+/// Empty if it is not set.
 std::string variable(const char* name) {
     const char* value = std::getenv(name);
     return value ? value : "";

@@ -19,7 +19,7 @@ void describe(Picture& picture, const FilmLabel& label, uint64_t samplesPerPixel
             CropPlacement{settings.crop.x, settings.crop.y, settings.width, settings.height};
     picture.metadata.push_back({"version", label.setting("version")});
     picture.metadata.push_back({"sceneHash", hexadecimal(label.sceneHash)});
-    if (isKnown("seed")) // as a number that an int32_t could not hold
+    if (isKnown("seed")) // a double, because an int32_t may be too small
         picture.metadata.push_back({"seed", static_cast<double>(settings.seed)});
     picture.metadata.push_back({"sampler", label.setting("sampler")});
     picture.metadata.push_back({"spp", static_cast<int32_t>(std::min<uint64_t>(

@@ -150,7 +150,7 @@ void addEnd(std::vector<Setting>& rows) {
              }});
 }
 
-/// Which samples are taken, and how fast.
+/// Settings of the samples and of the speed.
 void addSampling(std::vector<Setting>& rows) {
     rows.push_back(
         flag({.name = "adaptive",
@@ -193,7 +193,7 @@ void addSampling(std::vector<Setting>& rows) {
                         [](auto& settings) -> auto& { return settings.compilesEverything; }));
 }
 
-/// How light is looked for.
+/// Settings of light transport.
 void addLight(std::vector<Setting>& rows) {
     rows.push_back(
         onOff({.name = "roulette",

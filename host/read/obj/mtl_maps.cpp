@@ -52,7 +52,7 @@ uint32_t MtlMaps::converted(const MtlTexture& map, const std::filesystem::path& 
     if (!file.image) {
         return Material::kNoTexture;
     }
-    // No path holds a zero.
+    // A zero separates path and recipe: paths cannot contain it.
     std::shared_ptr<const TexelImage>& cached =
         context_.images[file.path + std::string(1, '\0') + recipe];
     if (!cached) {
