@@ -81,7 +81,8 @@ std::string consequence(const SmallShape& shape) {
         return "; below 1e-11 m single precision may let rays through: scale the scene up";
     }
     return ", " + twoDigits(shape.distance) +
-           " m from the camera or the scene's near side, where single precision knows places to " +
+           " m from the camera or the scene's near side, where single precision resolves positions "
+           "to " +
            twoDigits(kRounding * shape.distance) +
            " m, so that its light and shadow are off by half a percent or more; bring the camera "
            "closer";

@@ -34,7 +34,8 @@ void reportInterrupt(const RenderOptions& options, const std::string& samples) {
 std::string judgedText(const ErrorEstimate& error, double target) {
     std::string text = ": it is" + estimateText(error);
     if (error.isTrusted() && std::isfinite(error.upperBound()))
-        text += ", or up to " + percentText(error.upperBound()) + " for all that the samples tell";
+        text += ", or up to " + percentText(error.upperBound()) +
+                " within the uncertainty of the samples";
     if (error.relative <= target)
         text +=
             "; it is judged after 128, 256, 512, ... samples per pixel alone, by what it may be "
@@ -48,7 +49,7 @@ void warnOfGoal(const RenderOutcome& outcome) {
     const auto& error = outcome.totals.error;
     if (target && outcome.ending != RenderEnding::TargetError)
         printWarning("the error of " + percentText(*target) +
-                     " that --target-error asks for was not reached" +
+                     " that --target-error sets was not reached" +
                      (error ? judgedText(*error, *target) : ""));
 }
 

@@ -180,7 +180,7 @@ void addSampling(std::vector<Setting>& rows) {
     rows.push_back(choice(
         {.name = "bvh",
          .help = "How the BVH is built: median (quick to build), sah (quick to traverse), or auto, "
-                 "the quickest for the samples asked for (default)",
+                 "the quickest for the number of samples (default)",
          .group = SettingGroup::Sampling,
          .commands = kRenderCommand | kBenchCommand | kInfoCommand,
          .changesSamples = true},

@@ -45,7 +45,7 @@ void placeByTarget(Camera& camera, const JsonObject& object) {
         }
         camera.forward = view / distance;
         if (!std::isfinite(distance)) {
-            target->fail("is too far from the camera's position to tell the direction");
+            target->fail("is too far from the camera's position to compute the direction");
         }
     }
     const auto upValue = object.optional("up");
