@@ -7,20 +7,20 @@
 
 namespace calotype {
 
-/// Half the surface area, in the precision that suffices to compare costs.
+/// Half the surface area; float is accurate enough to compare costs.
 inline float halfAreaOf(const Bounds3f& bounds) {
     const glm::vec3 e = bounds.extent();
     return e.x * e.y + e.y * e.z + e.z * e.x;
 }
 
-/// A binary tree of boxes with one primitive in each leaf: what builders make, and collapse makes
-/// wide. Nodes lie depth first, so that a tree over n primitives has 2 n - 1 nodes and each has its
-/// place before it is made, whichever thread makes it.
+/// A binary tree of boxes with one primitive in each leaf: builders make it, and collapse converts
+/// it to a wide BVH. Nodes are in depth-first order. A tree over n primitives has 2 n - 1 nodes, so
+/// the place of each node is known before it is made, on any thread.
 struct BinaryTree {
     struct Node {
         Bounds3f bounds;
         uint32_t first = 0; ///< index into `order` of the primitives below
-        uint32_t count = 0; ///< of them
+        uint32_t count = 0; ///< number of these primitives
 
         bool isLeaf() const { return count == 1; }
     };

@@ -10,7 +10,7 @@
 
 namespace calotype {
 
-/// A primitive's box as builders move it about.
+/// A primitive's box, as builders sort it.
 struct BoxReference {
     glm::vec3 lower;
     uint32_t number; ///< of the primitive
@@ -23,14 +23,14 @@ struct BoxReference {
 
 struct BuildOptions {
     uint32_t threads = allCores();
-    /// Told the share of primitives already in leaves; may throw to end it. Called by the thread
-    /// that builds only.
+    /// Called with the share of primitives that are in leaves, in [0, 1]; may throw to end the
+    /// build. Called only on the thread that called the builder.
     std::function<void(double)> onProgress = {};
 };
 
 /// Splits a range of primitives, then each part, on several threads. `split(references, depth,
-/// threads)` puts those of two or more references that belong to the left child first and returns
-/// their number, at least 1 and less than all; `threads` have nothing else to do meanwhile.
+/// threads)` gets two or more references. It moves those of the left child to the front and returns
+/// their number, at least 1 and less than all; it may use `threads` threads.
 template <typename Split>
 class BinaryTreeBuilder {
 public:

@@ -6,11 +6,11 @@
 
 namespace calotype {
 
-/// The builder that gives the picture of `paths` paths soonest.
+/// The builder with which a picture of `paths` paths takes the least time.
 BvhBuilder quickestBuilder(size_t primitives, uint64_t paths);
 
-/// Splits, then joins to nodes of up to eight children, no deeper than kMaxBvhDepth. Deterministic,
-/// whatever the threads.
+/// Builds a binary tree, then collapses it to nodes of up to eight children, no deeper than
+/// kMaxBvhDepth. Deterministic for any number of threads.
 Bvh buildBvh(std::span<const Primitive> primitives, BvhBuilder builder = BvhBuilder::Sah,
              const BuildOptions& options = {});
 

@@ -9,7 +9,7 @@ bool isOf(const Primitive& primitive, Bvh::SlotKind kind) {
     return (primitive.kind == PrimitiveKind::Triangle) == (kind == Bvh::SlotKind::Triangles);
 }
 
-/// Goes through the tree from its root and remembers what it meets.
+/// Traverses the tree from its root and records what it finds.
 class DefectFinder {
 public:
     DefectFinder(const Bvh& bvh, std::span<const Primitive> primitives)

@@ -13,8 +13,8 @@
 namespace calotype {
 
 /// A bounding volume hierarchy whose nodes have up to eight children. Node 0 is the root. Children
-/// that are nodes follow each other from `firstNode` on, and the primitives of those that are
-/// leaves from `firstPrimitive` on, both in the order of the slots.
+/// that are nodes are consecutive from `firstNode` on; the primitives of children that are leaves
+/// are consecutive from `firstPrimitive` on; both in the order of the slots.
 struct Bvh {
     static constexpr uint32_t kSlots = 8;
     static constexpr uint32_t kMostInLeaf = 3;
@@ -25,13 +25,13 @@ struct Bvh {
     struct Slot {
         Bounds3f bounds;
         SlotKind kind = SlotKind::Empty;
-        uint8_t count = 0; ///< primitives of a leaf
+        uint8_t count = 0; ///< number of primitives of a leaf
 
         bool isLeaf() const { return count > 0; }
     };
 
-    /// The place of a child among the slots says where it lies: bits 2, 1 and 0 are set where it is
-    /// farther along x, y and z than its siblings, as well as they can be told apart.
+    /// The slot of a child encodes its position: bits 2, 1 and 0 are set if it is farther along x,
+    /// y and z than its siblings, as far as they can be ordered so.
     struct Node {
         Bounds3f bounds;
         uint32_t firstNode = 0;
@@ -48,18 +48,18 @@ struct BvhStatistics {
     size_t leaves = 0;
     double childrenPerNode = 0.0;
     double primitivesPerLeaf = 0.0;
-    /// Expected nodes and primitives that a random line visits which meets the root's box
+    /// Expected number of nodes and primitives that a random line visits if it hits the root's box
     /// (Goldsmith and Salmon 1987).
     double nodesVisited = 0.0;
     double primitivesVisited = 0.0;
-    double quadricsVisited = 0.0; ///< of the primitives
+    double quadricsVisited = 0.0; ///< those primitives that are quadrics
 };
 
 BvhStatistics bvhStatistics(const Bvh& bvh);
 
-/// What is wrong with the structure, as a sentence; nothing if all is well: each primitive in
-/// exactly one leaf, each box containing its contents, leaves of one kind and of at most
-/// kMostInLeaf, no node unreachable or reached twice, and the depth as it says.
+/// The first defect of the structure, as a sentence; nothing if it is valid: each primitive is in
+/// exactly one leaf, each box contains its contents, leaves have one kind of primitives and at most
+/// kMostInLeaf, each node is reached exactly once, and the depth is correct.
 std::optional<std::string> findBvhDefect(const Bvh& bvh, std::span<const Primitive> primitives);
 
 } // namespace calotype

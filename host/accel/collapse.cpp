@@ -20,13 +20,13 @@ struct Children {
     void add(uint32_t node) { nodes[count++] = node; }
 };
 
-/// Puts each child into a slot: the free one in whose direction from the middle of the node it lies
-/// farthest, beginning with the child that lies farthest in any.
+/// Assigns each child to a slot, beginning with the child farthest from the middle of the node.
+/// Each takes the free slot along whose direction it is farthest from the middle.
 std::array<uint32_t, Bvh::kSlots> childOfSlot(const BinaryTree& tree, const Bounds3f& bounds,
                                               const Children& children) {
     struct FreeChild {
         glm::vec3 offset{0.0f};
-        float farthest = -1.0f; ///< how far it lies in the direction of its best slot
+        float farthest = -1.0f; ///< distance along the direction of its best slot
         uint32_t node = kNoChild;
     };
     const glm::vec3 middle = bounds.lower + bounds.upper;
@@ -53,12 +53,12 @@ std::array<uint32_t, Bvh::kSlots> childOfSlot(const BinaryTree& tree, const Boun
             }
         }
         childOf[bestSlot] = next.node;
-        next.farthest = -1.0f; // less than any
+        next.farthest = -1.0f; // less than any distance
     }
     return childOf;
 }
 
-/// Makes the wide nodes of one depth after the other.
+/// Makes the wide nodes, one depth after the other.
 class Collapser {
 public:
     Collapser(const BinaryTree& tree, std::span<const Primitive> primitives, uint32_t threads)
@@ -69,7 +69,7 @@ public:
         if (tree_.nodes.empty())
             return {};
         bvh_.order.resize(tree_.order.size());
-        bvh_.nodes.reserve(tree_.order.size() / 8 + 1); // about a node for ten primitives
+        bvh_.nodes.reserve(tree_.order.size() / 8 + 1); // about one node for ten primitives
         std::vector<uint32_t> level = {0};
         while (!level.empty()) {
             level = addLevel(level);
@@ -79,7 +79,7 @@ public:
     }
 
 private:
-    /// Adds a wide node for each of the given ones; returns those of the next level.
+    /// Adds a wide node for each of the given binary nodes. Returns those of the next level.
     std::vector<uint32_t> addLevel(const std::vector<uint32_t>& level) {
         const size_t begin = bvh_.nodes.size();
         bvh_.nodes.resize(begin + level.size());
@@ -107,7 +107,7 @@ private:
 
     std::array<uint32_t, Bvh::kSlots> fillSlots(Bvh::Node& node, uint32_t binary) const {
         Children children;
-        if (choices_.isLeaf(binary)) // of few primitives, the root
+        if (choices_.isLeaf(binary)) // the root, if there are few primitives
             children.add(binary);
         else
             addRoots(binary, Bvh::kSlots, children);
@@ -134,7 +134,7 @@ private:
                    : Bvh::SlotKind::Quadrics;
     }
 
-    /// Adds the best forest of at most `roots` >= 2 trees for what is below an inner node.
+    /// Adds the best set of at most `roots` >= 2 subtrees below an inner node.
     void addRoots(uint32_t node, uint32_t roots, Children& children) const {
         const uint32_t ofLeft = choices_.rootsOfLeft(node, roots);
         addForest(BinaryTree::leftOf(node), ofLeft, children);
@@ -151,7 +151,7 @@ private:
         children.add(node);
     }
 
-    /// Of a node whose place is known, the primitives, and the children at `next`.
+    /// Sets the places of a node's primitives, and of its children from `next` on.
     void placeContents(const Bvh::Node& node, const std::array<uint32_t, Bvh::kSlots>& childOf,
                        uint32_t* next) {
         uint32_t place = node.firstPrimitive;

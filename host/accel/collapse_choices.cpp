@@ -18,7 +18,7 @@ CollapseChoices::CollapseChoices(const BinaryTree& tree, std::span<const Primiti
         choose(0, 0);
 }
 
-/// Few primitives, of one kind.
+/// True for few primitives of one kind.
 bool CollapseChoices::canBeLeaf(uint32_t node) const {
     const BinaryTree::Node& binary = tree_.nodes[node];
     if (binary.count > Bvh::kMostInLeaf)
@@ -34,7 +34,7 @@ float CollapseChoices::costOfLeaf(uint32_t node) const {
     return halfAreaOf(tree_.nodes[node].bounds) * static_cast<float>(tree_.nodes[node].count);
 }
 
-/// The best way to give the left side some of `roots` children and the right side the others.
+/// The cheapest distribution of `roots` children to the left and the right side.
 CollapseChoices::Distribution CollapseChoices::distribute(const Costs& left, const Costs& right,
                                                           uint32_t roots) {
     Distribution best;

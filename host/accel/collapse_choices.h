@@ -11,18 +11,18 @@
 
 namespace calotype {
 
-/// How best to join the nodes of a binary tree, by dynamic programming from the leaves up (Ylitie,
-/// Karras and Laine 2017, section 3.2).
+/// The best way to join the nodes of a binary tree, by dynamic programming from the leaves up
+/// (Ylitie, Karras and Laine 2017, section 3.2).
 class CollapseChoices {
 public:
     CollapseChoices(const BinaryTree& tree, std::span<const Primitive> primitives,
                     uint32_t threads);
 
-    /// Whether the node, as one child of a wide node, is a leaf and not a node.
+    /// Whether the node is a leaf (not a node) as a single child of a wide node.
     bool isLeaf(uint32_t node) const { return tree_.nodes[node].isLeaf() || at(node).isLeaf; }
 
-    /// As `roots` >= 2 children of one wide node: how many of them the left side of an inner node
-    /// gets, or 0 where one child fewer is as good.
+    /// If the node becomes `roots` >= 2 children of one wide node: the number of children from the
+    /// left side, or 0 if one child fewer is as good.
     uint32_t rootsOfLeft(uint32_t node, uint32_t roots) const { return at(node).ofLeft[roots - 2]; }
 
 private:
@@ -30,11 +30,11 @@ private:
 
     struct Choice {
         bool isLeaf = false;
-        std::array<uint8_t, kMostRoots> ofLeft{}; ///< of 2, 3, ... kSlots roots
+        std::array<uint8_t, kMostRoots> ofLeft{}; ///< for 2, 3, ... kSlots roots
     };
 
-    /// The least cost of the primitives below a node, if they hang from at most 1, 2, ...
-    /// kMostRoots children of one wide node: C(n, i) of the paper.
+    /// The least cost of the primitives below a node as at most 1, 2, ... kMostRoots children of
+    /// one wide node: C(n, i) of the paper.
     using Costs = std::array<float, kMostRoots>;
 
     struct Distribution {
@@ -42,7 +42,7 @@ private:
         uint8_t ofLeft = 0;
     };
 
-    /// Inner nodes have one each: all nodes before this one but the leaves among them.
+    /// Only inner nodes have one: the index is the number of inner nodes before this one.
     const Choice& at(uint32_t node) const { return choices_[node - tree_.nodes[node].first]; }
     Choice& at(uint32_t node) { return choices_[node - tree_.nodes[node].first]; }
 
@@ -54,7 +54,7 @@ private:
     const BinaryTree& tree_;
     std::span<const Primitive> primitives_;
     uint32_t threads_;
-    bool isMixed_; ///< primitives are of more than one kind
+    bool isMixed_; ///< there is more than one kind of primitives
     std::vector<Choice> choices_;
 };
 

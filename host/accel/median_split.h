@@ -5,12 +5,12 @@
 
 namespace calotype {
 
-/// Puts the half of the references with the lower centres first, along the axis in which the
-/// centres lie farthest apart; equal centres go by number. Returns how many they are.
+/// Moves the half of the references with the lower centres to the front, along the axis with the
+/// largest extent of centres; equal centres are ordered by number. Returns the size of that half.
 size_t splitByMedian(std::span<BoxReference> references);
 
-/// The tree that `--bvh median` selects: primitives are split into two halves of equal count by the
-/// centres of their boxes along one axis. Deterministic.
+/// The tree of `--bvh median`: primitives are split into two halves of equal count by the centres
+/// of their boxes along one axis. Deterministic.
 BinaryTree buildMedianSplit(std::span<const Primitive> primitives,
                             const BuildOptions& options = {});
 

@@ -14,9 +14,9 @@
 namespace calotype {
 namespace {
 
-/// How far the packed quadric, and the hits computed on it, may lie outside the exact one, relative
-/// to its coordinates: rounding of the parameters plus the error bound of quadricPoint
-/// (shapes/quadric.glsl), 16 operations of 2^-23 in all, doubled.
+/// How far the packed quadric, and hits computed on it, may be outside the exact one, relative to
+/// its coordinates: rounding of the parameters plus the error bound of quadricPoint
+/// (shapes/quadric.glsl), 16 operations of 2^-23 in all, times two.
 constexpr double kQuadricSlack = 32.0 / (1 << 23);
 
 Bounds3f packedQuadricBounds(const Shape& shape, const glm::dvec3& origin) {
@@ -31,7 +31,7 @@ Bounds3f packedQuadricBounds(const Shape& shape, const glm::dvec3& origin) {
     return roundOutward(bounds);
 }
 
-/// The kernels form cubes of lengths, which beyond this come near the end of float's range.
+/// The kernels form cubes of lengths; beyond this limit they approach the end of float's range.
 constexpr float kLargestCoordinate = 1e12f;
 
 bool isPackable(const Bounds3f& bounds) {

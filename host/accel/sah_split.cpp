@@ -13,7 +13,7 @@ namespace {
 
 constexpr size_t kBins = 32;
 constexpr size_t kMostToSweep = 8;
-/// Halving the rest from here on bounds the depth, at 48 + log2(primitives).
+/// Below this depth only halves of equal count: bounds the depth by 48 + log2(primitives).
 constexpr uint32_t kDeepestSahSplit = 48;
 
 struct Bin {
@@ -27,15 +27,15 @@ struct Bin {
     float cost() const { return count > 0 ? halfAreaOf(bounds) * static_cast<float>(count) : 0.0f; }
 };
 
-/// Metres. Shorter rows of centres are not binned, because the scale would overflow.
+/// Metres. A smaller extent of centres is not binned, because the scale would overflow.
 constexpr float kLeastExtent = 1e-30f;
 
-/// Where the doubled centre of a box lies between the least and the greatest of all.
+/// The bin of a box: its doubled centre relative to the least and the greatest of all.
 struct Binning {
     explicit Binning(const Bounds3f& centers) : lower(centers.lower) {
         for (int axis = 0; axis < 3; ++axis) {
             const float extent = centers.upper[axis] - centers.lower[axis];
-            // Just below the number of bins, so that the greatest centre falls into the last.
+            // Slightly below the number of bins, so that the greatest centre is in the last.
             scale[axis] = extent > kLeastExtent ? kBins * (1.0f - 0x1p-20f) / extent : 0.0f;
         }
     }
@@ -46,7 +46,7 @@ struct Binning {
     }
 
     glm::vec3 lower;
-    glm::vec3 scale; ///< bins per metre of doubled centres; 0 where all fall into the first
+    glm::vec3 scale; ///< bins per metre of doubled centres; 0 if all are in the first
 };
 
 struct Plane {
@@ -74,10 +74,10 @@ void improve(const std::array<Bin, kBins>& bins, int axis, std::optional<Plane>&
     }
 }
 
-/// A sum over all references, each part on a thread of its own: `add(sum, reference)`.
+/// A sum over all references, in parts on several threads: `add(sum, reference)`.
 template <typename Sum, typename Add>
 Sum sumUp(std::span<const BoxReference> references, uint32_t threads, Add&& add) {
-    constexpr size_t kFewestForThreads = 1 << 16; // a millisecond's work
+    constexpr size_t kFewestForThreads = 1 << 16; // a millisecond of work
     Sum sum;
     if (threads == 1 || references.size() < kFewestForThreads) {
         for (const BoxReference& reference : references)
@@ -112,7 +112,7 @@ struct Bins {
     }
 };
 
-/// Partitions by the cheapest plane; 0 where all centres fall into one bin.
+/// Partitions by the cheapest plane. Returns 0 if all centres are in one bin.
 size_t splitByBins(std::span<BoxReference> references, uint32_t threads) {
     const auto centers = sumUp<CenterBounds>(references, threads,
                                              [](CenterBounds& sum, const BoxReference& reference) {
@@ -145,7 +145,7 @@ void sortByCenter(std::span<BoxReference> references, int axis) {
     });
 }
 
-/// Of a few references, the cheapest split of their order along any axis.
+/// For few references: the cheapest split of their order along any axis.
 size_t splitBySweep(std::span<BoxReference> references) {
     const size_t count = references.size();
     std::array<BoxReference, kMostToSweep> best;
@@ -174,7 +174,7 @@ size_t splitBySweep(std::span<BoxReference> references) {
             std::ranges::copy(references, best.begin());
     }
     std::copy_n(best.begin(), count, references.begin());
-    return leastCost > 0.0f ? bestLeft : count / 2; // boxes without area cost nothing anyhow
+    return leastCost > 0.0f ? bestLeft : count / 2; // boxes without area have no cost
 }
 
 size_t split(std::span<BoxReference> references, uint32_t depth, uint32_t threads) {

@@ -5,10 +5,10 @@
 
 namespace calotype {
 
-/// A tree in which a random ray is expected to meet few boxes: each split is the one, of 31 planes
-/// along each axis (Wald 2007, "On fast Construction of SAH-based Bounding Volume Hierarchies") or,
-/// of 8 primitives or fewer, of all, with the least sum of half area times count. Where no plane
-/// parts the centres, and far down a lopsided tree, it splits by the median. Deterministic.
+/// A tree with a low expected number of boxes that a random ray hits. Each split has the least sum
+/// of half area times count, among 31 planes along each axis (Wald 2007, "On fast Construction of
+/// SAH-based Bounding Volume Hierarchies") or, for 8 primitives or fewer, among all planes. If no
+/// plane separates the centres, or far below the root, it splits by the median. Deterministic.
 BinaryTree buildSahSplit(std::span<const Primitive> primitives, const BuildOptions& options = {});
 
 } // namespace calotype

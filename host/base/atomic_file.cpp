@@ -31,7 +31,7 @@ fs::path folderOf(const fs::path& path) {
     return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-/// What `path` names after following links, so that replacing a file leaves a link to it alone.
+/// The target of `path` after symbolic links, so that replacing the file keeps the link.
 fs::path followLinks(const fs::path& path) {
     std::error_code missing;
     fs::path target = fs::canonical(path, missing);
@@ -40,7 +40,7 @@ fs::path followLinks(const fs::path& path) {
 
 enum class Target { File, DeviceOrPipe };
 
-/// Checks all that can be seen of the target without opening anything.
+/// Checks everything about the target that needs no opened file.
 Target inspectTarget(const fs::path& path) {
     if (path.empty())
         fail(path, "the path is empty", ENOENT, "name a file");
@@ -61,7 +61,7 @@ Target inspectTarget(const fs::path& path) {
     return S_ISREG(status.st_mode) ? Target::File : Target::DeviceOrPipe;
 }
 
-/// A file open for writing. Errors name `path`, the one that the user knows.
+/// A file open for writing. Errors name `path`, which is the path that the user gave.
 class OutputDescriptor {
 public:
     OutputDescriptor(const fs::path& path, int descriptor) : path_(path), descriptor_(descriptor) {}
@@ -82,7 +82,7 @@ public:
         }
     }
 
-    /// Brings the bytes to the disk, so that the rename cannot overtake them in a power failure.
+    /// Writes the bytes to the disk before the rename, in case of a power failure.
     void flush() {
         if (::fsync(descriptor_) == 0)
             return;
@@ -104,7 +104,7 @@ private:
     int descriptor_;
 };
 
-/// A new, empty file in the folder of `path`, removed again unless it takes the place of `path`.
+/// A new, empty file in the folder of `path`. The destructor removes it, unless it replaced `path`.
 class TemporaryFile {
 public:
     explicit TemporaryFile(const fs::path& path)

@@ -5,7 +5,7 @@
 
 namespace calotype {
 
-/// Ends the program: a programmer's mistake, never a user's.
+/// Ends the program: for mistakes of the programmer, never of the user.
 template <typename A, typename B>
 [[noreturn]] void failCheck(const char* expression, const A& a, const B& b, const char* file,
                             int line) {

@@ -6,11 +6,11 @@
 
 namespace calotype {
 
-/// A 64-bit hash of a sequence of texts, eight bytes at a time, with the finaliser of splitmix64
-/// as its mixing step. Tells contents apart; not meant against an adversary.
+/// A 64-bit hash of a sequence of texts, eight bytes at a time, mixed by the finaliser of
+/// splitmix64. Detects different contents; not cryptographic.
 class ContentHash {
 public:
-    /// Texts keep their borders: "ab", "c" differs from "a", "bc".
+    /// Boundaries of texts count: "ab", "c" differs from "a", "bc".
     void add(std::string_view text) {
         addWord(text.size());
         while (!text.empty()) {

@@ -6,20 +6,20 @@
 
 namespace calotype {
 
-/// Base of every error that the user can cause or meet. `what()` is one complete sentence.
+/// Base of all errors that a user can cause or get. `what()` is one complete sentence.
 class Error : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// What the caller, or the command line, wants makes no sense.
+/// The caller or the command line requests something invalid.
 class UsageError : public Error {
 public:
     using Error::Error;
 };
 
-/// A setting of a render is out of its range, or does not go with the others or with the scene.
-/// `setting` is its name, such as "max_bounces"; `what()` reads "max_bounces is 7, ...".
+/// A setting of a render is out of its range, or does not fit the others or the scene. `setting` is
+/// its name, such as "max_bounces"; `what()` reads "max_bounces is 7, ...".
 class SettingError : public UsageError {
 public:
     SettingError(std::string setting, std::string problem)
@@ -34,13 +34,13 @@ private:
     std::string problem_;
 };
 
-/// The caller stopped the work before there was anything to show.
+/// The caller stopped the work before there was any result.
 class Interrupted : public Error {
 public:
     Interrupted() : Error("interrupted before the first sample; nothing was written") {}
 };
 
-/// A scene, or a file that it names, is wrong. `where` is a file with line and column, or a file
+/// A scene, or a file that it names, is invalid. `where` is a file with line and column, or a file
 /// with a JSON pointer; `what()` reads "where: message".
 class SceneError : public Error {
 public:
@@ -53,7 +53,7 @@ private:
     std::string where_;
 };
 
-/// The device or its driver cannot do what is asked.
+/// The device or its driver does not support something, or fails.
 class GpuError : public Error {
 public:
     using Error::Error;

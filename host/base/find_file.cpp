@@ -13,12 +13,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder with more entries is not searched for a suggestion.
+/// Folders with more entries are not searched for a suggestion.
 constexpr size_t kMostSuggestions = 10'000;
-/// No system that Calotype runs on opens longer paths.
+/// Longer paths cannot be opened on any supported system.
 constexpr size_t kLongestPath = 4096;
 
-/// With slashes, and without the doubled ones that escaped backslashes leave.
+/// Replaces backslashes by single slashes, also doubled ones from escaping.
 std::string withSlashes(std::string name) {
     std::ranges::replace(name, '\\', '/');
     const auto isDouble = [](char a, char b) { return a == '/' && b == '/'; };
@@ -43,7 +43,7 @@ std::vector<std::string> entriesOf(const fs::path& folder) {
     return names;
 }
 
-/// Walks from `folder` along the parts of a path from `next` on, in any case.
+/// Follows the parts of a path from `next` on, starting in `folder`, ignoring case.
 std::optional<fs::path> findInAnyCase(const fs::path& folder, fs::path::const_iterator next,
                                       const fs::path::const_iterator& end) {
     if (next == end)

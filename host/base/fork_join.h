@@ -7,17 +7,17 @@
 
 namespace calotype {
 
-/// Whether to go on with the halves of `count` primitives on two threads, `depth` halvings down:
-/// while there is work for several times the threads, so that uneven halves even out.
+/// Whether to process the two halves of `count` primitives on two threads, after `depth` halvings:
+/// as long as there are fewer parts than several times the threads, which balances unequal halves.
 inline bool isWorthForking(size_t count, uint32_t depth, uint32_t threads) {
-    constexpr size_t kFewestPrimitives = 8192; // a millisecond's work, many times a thread's cost
+    constexpr size_t kFewestPrimitives = 8192; // a millisecond of work: much more than a thread
     constexpr uint64_t kForksPerThread = 8;
     return threads > 1 && count >= kFewestPrimitives &&
            (uint64_t{1} << depth) < kForksPerThread * threads;
 }
 
-/// Runs two independent pieces of work and waits for both: on two threads if `parallel`, in which
-/// case `onAnother` must not throw.
+/// Runs two independent functions and waits for both: on two threads if `parallel`; then
+/// `onAnother` must not throw.
 template <typename OnAnother, typename OnThis>
 void forkJoin(bool parallel, OnAnother&& onAnother, OnThis&& onThis) {
     if (!parallel) {
@@ -25,7 +25,7 @@ void forkJoin(bool parallel, OnAnother&& onAnother, OnThis&& onThis) {
         onThis();
         return;
     }
-    const std::jthread other(std::forward<OnAnother>(onAnother)); // joined on leaving
+    const std::jthread other(std::forward<OnAnother>(onAnother)); // joined at the end
     onThis();
 }
 

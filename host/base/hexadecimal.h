@@ -6,7 +6,7 @@
 
 namespace calotype {
 
-/// Sixteen digits, lower case.
+/// Sixteen lower-case digits.
 inline std::string hexadecimal(uint64_t value) {
     char digits[17];
     std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(value));

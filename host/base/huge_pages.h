@@ -9,8 +9,8 @@ namespace calotype {
 
 constexpr size_t kHugePageBytes = size_t{2} << 20;
 
-/// Asks for huge pages behind memory that has not been touched yet, so that less is spent on
-/// translating addresses where it is read at random. Only advice: nothing depends on it.
+/// Advises the system to use huge pages for memory that has not been used yet, which makes random
+/// reads faster. Nothing depends on the effect.
 inline void adviseHugePages(void* begin, size_t bytes) {
     const auto address = reinterpret_cast<uintptr_t>(begin);
     const uintptr_t first = (address + kHugePageBytes - 1) / kHugePageBytes * kHugePageBytes;

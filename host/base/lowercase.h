@@ -6,7 +6,7 @@
 
 namespace calotype {
 
-/// With ASCII letters made small; all others must be written as they are.
+/// ASCII letters in lower case; other characters stay.
 inline std::string lowercase(std::string_view text) {
     std::string result(text);
     std::ranges::transform(result, result.begin(), [](char c) {

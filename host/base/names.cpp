@@ -11,14 +11,14 @@ namespace {
 
 constexpr size_t kLongest = 60;
 constexpr size_t kLongestList = 20;
-/// Longer names are nobody's misspelling, and the distance costs the product of the lengths.
+/// Longer names are not misspellings, and the distance costs the product of the lengths.
 constexpr size_t kLongestMisspelling = 64;
 
 bool continuesUtf8(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
 bool isPlain(char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; }
 
-/// Optimal string alignment: Levenshtein's distance with swaps of neighbours.
+/// Optimal string alignment: Levenshtein's distance with swaps of adjacent characters.
 size_t editDistance(std::string_view a, std::string_view b) {
     std::vector<size_t> twoAgo(b.size() + 1);
     std::vector<size_t> previous(b.size() + 1);

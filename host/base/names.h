@@ -12,18 +12,18 @@ std::string printable(std::string_view text);
 /// `printable(text)` in double quotes.
 std::string inQuotes(std::string_view text);
 
-/// A number for a message, to two digits.
+/// A number for a message, with two digits.
 std::string twoDigits(double number);
 
 /// Names in quotes, separated by commas; the first twenty if there are many.
 std::string listInQuotes(std::span<const std::string> names);
 
-/// The end of a sentence that complains of an unknown `name`: `did you mean "radius"?`, or the
-/// list of what is known where nothing is near. Empty where nothing is known.
+/// The end of a sentence about an unknown `name`: `did you mean "radius"?`, or the list of known
+/// names if none is similar. Empty if there are no known names.
 std::string suggestion(std::string_view name, std::span<const std::string> known);
 
-/// The nearest of `known` by edit distance (insert, delete, replace, swap neighbours), or empty
-/// where more than half of the longer name would have to change.
+/// The nearest of `known` by edit distance (insert, delete, replace, swap neighbours), or empty if
+/// more than half of the longer name would have to change.
 std::string nearestName(std::string_view name, std::span<const std::string> known);
 
 } // namespace calotype

@@ -11,7 +11,7 @@ namespace calotype {
 /// must not throw.
 template <typename Body>
 void parallelChunks(uint64_t count, uint32_t threads, Body&& body) {
-    constexpr uint64_t kChunk = 8192; // a fraction of a millisecond's work, at the least
+    constexpr uint64_t kChunk = 8192; // at least a fraction of a millisecond of work
     parallelFor(0, (count + kChunk - 1) / kChunk, threads, [&](uint64_t chunk, uint32_t) {
         body(kChunk * chunk, std::min(kChunk * (chunk + 1), count));
     });

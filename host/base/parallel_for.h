@@ -11,7 +11,7 @@ namespace calotype {
 inline uint32_t allCores() { return std::max(1u, std::thread::hardware_concurrency()); }
 
 /// Calls body(index, thread) once for every index in [begin, end), on `threads` >= 1 threads
-/// numbered from 0, this one among them. The body must not throw.
+/// numbered from 0, including the calling one. The body must not throw.
 template <typename Body>
 void parallelFor(uint64_t begin, uint64_t end, uint32_t threads, Body&& body) {
     std::atomic<uint64_t> next = begin;
@@ -19,7 +19,7 @@ void parallelFor(uint64_t begin, uint64_t end, uint32_t threads, Body&& body) {
         for (uint64_t index = next++; index < end; index = next++)
             body(index, thread);
     };
-    std::vector<std::jthread> others; // joined on leaving
+    std::vector<std::jthread> others; // joined at the end
     for (uint32_t thread = 1; thread < threads; ++thread)
         others.emplace_back(work, thread);
     work(0);

@@ -25,8 +25,8 @@ constexpr Range openRange(double low, double high) { return {low, high, true, tr
 constexpr Range atLeast(double low) { return {.low = low}; }
 constexpr Range greaterThan(double low) { return {.low = low, .isLowOpen = true}; }
 
-/// What follows "must be": "in [0, 1]", "0 or greater", "greater than 0", "between 0 and 180, both
-/// excluded", "greater than 0 and at most 5", "a finite number".
+/// The words after "must be": "in [0, 1]", "0 or greater", "greater than 0", "between 0 and 180,
+/// both excluded", "greater than 0 and at most 5", "a finite number".
 std::string toText(const Range& range);
 
 } // namespace calotype

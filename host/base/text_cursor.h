@@ -9,7 +9,7 @@ namespace calotype {
 
 inline bool isBlank(char c) { return c == ' ' || c == '\t'; }
 
-/// Without blanks at both ends.
+/// `text` without blanks at both ends.
 inline std::string_view trimmed(std::string_view text) {
     while (!text.empty() && isBlank(text.front()))
         text.remove_prefix(1);
@@ -26,7 +26,7 @@ public:
         skipBlanks();
     }
 
-    /// Whether nothing but a comment is left.
+    /// True if nothing is left, or only a comment.
     bool atEnd() const { return next_ == end_ || *next_ == '#'; }
 
     /// The next word; empty at the end.
@@ -39,7 +39,7 @@ public:
         return result;
     }
 
-    /// All that is left, with the comment if there is one.
+    /// The rest of the line, including a comment.
     std::string_view rest() const { return {next_, static_cast<size_t>(end_ - next_)}; }
 
 private:
@@ -52,8 +52,8 @@ private:
     const char* end_;
 };
 
-/// A decimal number that makes up the whole word, "inf" and "nan" included; infinite where it is
-/// too large for a double. nullopt for anything else.
+/// A decimal number that is the whole word, also "inf" and "nan"; infinite if it is too large for a
+/// double. nullopt for anything else.
 inline std::optional<double> parseNumber(std::string_view word) {
     if (word.size() > 1 && word.front() == '+' && word[1] != '-')
         word.remove_prefix(1);
@@ -63,7 +63,7 @@ inline std::optional<double> parseNumber(std::string_view word) {
     if (stop != end || error == std::errc::invalid_argument)
         return std::nullopt;
     if (error == std::errc::result_out_of_range) {
-        // from_chars does not say which way: a negative exponent means that it is all but zero.
+        // from_chars does not say which: a negative exponent means nearly zero.
         return word.find("e-") != word.npos || word.find("E-") != word.npos ? 0.0 : HUGE_VAL;
     }
     return value;

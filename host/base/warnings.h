@@ -7,7 +7,7 @@
 
 namespace calotype {
 
-/// Sentences about what a scene's author should know, each once, in the order they were added.
+/// Sentences for the author of a scene, each once, in the order in which they were added.
 class Warnings {
 public:
     /// Adds the sentence "WHERE: MESSAGE".

@@ -5,7 +5,7 @@
 
 namespace calotype {
 
-/// Warns where nothing emits light.
+/// Warns if nothing emits light.
 void warnOfBlackPicture(const Scene& scene, Warnings& warnings);
 
 } // namespace calotype

@@ -12,21 +12,21 @@
 namespace calotype {
 namespace {
 
-/// Radians from one pixel to the next. The device's rays deviate by 7e-8 rad, root mean square, and
-/// by 2.2e-7 at worst (measured; tests/extremes), which is a tenth and a quarter of such a pixel.
+/// Radians between neighbouring pixels. The device's rays deviate by 7e-8 rad (root mean square),
+/// and by 2.2e-7 at most (measured; tests/extremes): a tenth and a quarter of such a pixel.
 constexpr double kFinestPixel = 1e-6;
 
-/// Radius over the distance of focus. A lens sends its rays by the square of this ratio farther
-/// astray in the plane in focus: 100 makes 2.2e-3 of that distance.
+/// Lens radius over focus distance. In the plane of focus, the error of a lens's rays grows with
+/// the square of this ratio: at 100 it is 2.2e-3 of the focus distance.
 constexpr double kWidestLens = 100.0;
 
-/// Small angles against an axis of the world keep all their digits.
+/// In such a view, small angles keep all their digits.
 bool isAlongAxis(const glm::dvec3& direction) {
     const glm::dvec3 sizes = glm::abs(direction);
     return std::max({sizes.x, sizes.y, sizes.z}) == sizes.x + sizes.y + sizes.z;
 }
 
-/// Metres from the camera to the box about the scene; 0 within.
+/// Metres from the camera to the box around the scene; 0 inside.
 double distanceToScene(const Scene& scene) {
     return glm::distance(scene.camera.position, cameraWithinBounds(scene));
 }

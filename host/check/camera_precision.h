@@ -7,8 +7,8 @@
 
 namespace calotype {
 
-/// Warns where the camera's pixels are so small or its lens is so wide that single precision does
-/// not tell the rays of neighbouring pixels apart.
+/// Warns if the camera's pixels are so small or its lens is so wide that single precision cannot
+/// separate the rays of neighbouring pixels.
 void warnOfCameraPrecision(const Scene& scene, Warnings& warnings);
 
 } // namespace calotype

@@ -17,21 +17,21 @@
 namespace calotype {
 namespace {
 
-/// Of a light's distance from the camera: the device tells surfaces apart that lie so far from each
-/// other (CoplanarLightTest in tests/extremes), and mixes some that lie a tenth as far.
+/// Relative to a light's distance from the camera: the device separates surfaces at this distance
+/// from each other (CoplanarLightTest in tests/extremes), but confuses some at a tenth of it.
 constexpr double kGap = 1e-6;
 constexpr double kMostPairs = 1e7;
-constexpr size_t kMostNamed = 5; ///< lights: a grid of lamps must not fill the screen
+constexpr size_t kMostNamed = 5; ///< lights named in the warning
 
-/// A triangle; or a disk, the cap of a cylinder or the base of a cone as a polygon within it, which
-/// leaves out 2 % of its radius at most.
+/// A triangle; or a disk, the cap of a cylinder or the base of a cone, as a polygon inside it. The
+/// polygon is smaller by 2 % of the radius at most.
 struct Facet {
     static constexpr size_t kMostCorners = 16;
 
     size_t shape = 0;
     size_t number = 0; ///< within the shape
     bool shines = false;
-    bool isOfSolid = false; ///< seen from the side of its normal only
+    bool isOfSolid = false; ///< visible from the side of its normal only
     glm::dvec3 normal{0.0}; ///< unit
     size_t cornerCount = 0;
     std::array<glm::dvec3, kMostCorners> polygon{};
@@ -54,7 +54,7 @@ Facet facetOfDisk(const RigidTransform& worldFromObject, double height, double r
     return facet;
 }
 
-/// The cap or base of a solid that lies between it and the frame's origin.
+/// The cap or base of a solid at `height`; the solid is between it and the frame's origin.
 Facet endOfSolid(const RigidTransform& worldFromObject, double height, double radius) {
     Facet facet = facetOfDisk(worldFromObject, height, radius);
     facet.isOfSolid = true;
@@ -72,7 +72,7 @@ Facet facetOf(const Mesh& mesh, const Mesh::Triangle& triangle) {
     return facet;
 }
 
-/// Calls visit(facet) for everything flat in the scene.
+/// Calls visit(facet) for every flat part of the scene.
 template <typename Visit>
 void forEachFacet(const Scene& scene, const Visit& visit) {
     const auto shines = [&](uint32_t material) {
@@ -104,7 +104,7 @@ void forEachFacet(const Scene& scene, const Visit& visit) {
     }
 }
 
-/// How far the facet reaches along an axis, from and to.
+/// The interval of the facet along an axis.
 glm::dvec2 reach(const Facet& facet, const glm::dvec3& axis) {
     glm::dvec2 reach(std::numeric_limits<double>::infinity(),
                      -std::numeric_limits<double>::infinity());
@@ -115,8 +115,7 @@ glm::dvec2 reach(const Facet& facet, const glm::dvec3& axis) {
     return reach;
 }
 
-/// True where a line along an edge of `a` parts the two, or leaves them less than `tolerance` to
-/// share.
+/// True if a line along an edge of `a` separates the two, up to an overlap of `tolerance`.
 bool isPartedByAnEdge(const Facet& a, const Facet& b, double tolerance) {
     const std::span<const glm::dvec3> corners = a.corners();
     for (size_t i = 0; i < corners.size(); ++i) {
@@ -130,7 +129,7 @@ bool isPartedByAnEdge(const Facet& a, const Facet& b, double tolerance) {
     return false;
 }
 
-/// Of convex polygons in one plane (separating axes).
+/// Whether two convex polygons in one plane overlap (separating axes).
 bool overlap(const Facet& a, const Facet& b, double tolerance) {
     return !isPartedByAnEdge(a, b, tolerance) && !isPartedByAnEdge(b, a, tolerance);
 }
@@ -141,7 +140,7 @@ bool isInPlaneOf(const Facet& light, const Facet& other, double tolerance) {
     });
 }
 
-/// What stands on a floor hides its own end, and the floor below it.
+/// False for the bottom of a solid on a floor: the solid hides its own end and the floor below.
 bool canBeSeen(const Facet& facet, const glm::dvec3& camera) {
     return !facet.isOfSolid || glm::dot(facet.normal, camera - facet.polygon[0]) > 0.0;
 }

@@ -7,10 +7,10 @@
 
 namespace calotype {
 
-/// Warns of lights whose flat part is seen and lies in the plane of another flat shape that covers
-/// it, such as a ceiling: rounding decides, point by point, which of the two a ray meets. A few are
-/// named, others counted. Scenes of more than 10^7 pairs of a light's triangle and another are not
-/// looked through.
+/// Warns of lights with a visible flat part in the plane of another flat shape that covers it, such
+/// as a ceiling: at each point, rounding decides which of the two a ray hits. Names a few of them
+/// and counts the others. Scenes with more than 10^7 pairs of a light's triangle and another
+/// triangle are not checked.
 void warnOfCoplanarLights(const Scene& scene, Warnings& warnings);
 
 } // namespace calotype

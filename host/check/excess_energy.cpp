@@ -15,7 +15,7 @@
 namespace calotype {
 namespace {
 
-/// Materials that come from one place, such as an OBJ's MTL files, and reflect too much.
+/// Materials with the same place, such as an OBJ's MTL files, that reflect too much.
 struct Excess {
     std::vector<uint32_t> materials; ///< indices into Scene::materials
     double most = 0.0;               ///< the largest share of light that one of them reflects

@@ -5,8 +5,8 @@
 
 namespace calotype {
 
-/// Warns of the materials that shapes use and that can reflect more than they receive (see
-/// excessAlbedo): each at its place, those that share one (of MTL files) in one sentence.
+/// Warns of used materials that can reflect more light than they receive (see excessAlbedo): one
+/// sentence for each place; materials of MTL files share one.
 void warnOfExcessEnergy(const Scene& scene, Warnings& warnings);
 
 } // namespace calotype

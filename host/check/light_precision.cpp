@@ -9,8 +9,8 @@
 namespace calotype {
 namespace {
 
-/// Of the brightest light. A film rounds sums of 16 samples to 2^-64 of a unit of up to twice that
-/// light, so a picture of nothing but a light this faint is off by up to 2^-14.
+/// Relative to the brightest light. A film rounds sums of 16 samples to 2^-64 of a unit, up to
+/// twice that light. So a picture of a light this faint alone has an error of up to 2^-14.
 constexpr double kFaintest = 0x1p-54;
 
 double brightestChannel(const glm::dvec3& radiance) {

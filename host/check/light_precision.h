@@ -7,8 +7,8 @@
 
 namespace calotype {
 
-/// Warns of what shines so much fainter than the scene's brightest light that the film, whose fixed
-/// point is set by that one, does not hold both well.
+/// Warns of emitters so much fainter than the scene's brightest light that the film's fixed point,
+/// whose unit depends on the brightest, is too coarse for them.
 void warnOfLightPrecision(const Scene& scene, Warnings& warnings);
 
 } // namespace calotype

@@ -10,7 +10,7 @@
 namespace calotype {
 namespace {
 
-/// Readers take transforms for rigid that are so within 1e-4.
+/// Larger than the tolerance of 1e-4 within which readers accept transforms as rigid.
 constexpr double kTolerance = 1e-3;
 
 } // namespace
@@ -37,7 +37,7 @@ void requireOrthonormal(const glm::dmat3& axes, const std::string& where) {
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j <= i; ++j) {
             const double error = glm::dot(axes[i], axes[j]) - (i == j ? 1.0 : 0.0);
-            if (!(std::abs(error) <= kTolerance)) { // also of what is not a number
+            if (!(std::abs(error) <= kTolerance)) { // also for NaN
                 throw SceneError(where, "must be a rotation: three directions of length 1 at right "
                                         "angles");
             }

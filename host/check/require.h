@@ -10,15 +10,15 @@
 
 namespace calotype {
 
-/// All throw SceneError at `where` for what is not so.
+/// Each function throws SceneError at `where` if its condition does not hold.
 
 /// "must be in [0, 1], not 2"
 void require(const Range& range, double number, const std::string& where);
-/// Of each channel or component.
+/// The same for each channel or component.
 void require(const Range& range, const glm::dvec3& numbers, const std::string& where);
 void require(const ranges::WholeRange& range, uint32_t number, const std::string& where);
 
-/// That the columns are finite, of length 1 and at right angles, but for rounding.
+/// The columns must be finite, of length 1 and perpendicular, up to rounding.
 void requireOrthonormal(const glm::dmat3& axes, const std::string& where);
 
 } // namespace calotype

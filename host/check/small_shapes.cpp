@@ -23,7 +23,7 @@ double farthest(const Bounds3d& bounds, const glm::dvec3& origin) {
     return greatest(glm::max(glm::abs(bounds.lower - origin), glm::abs(bounds.upper - origin)));
 }
 
-/// Metres across, which have to be told apart: of a thin solid, its width.
+/// Metres: the extent that rounding must not blur; for a thin solid its width.
 struct SizeOf {
     double operator()(const Sphere& sphere) const { return 2.0 * sphere.radius; }
     double operator()(const Cylinder& cylinder) const { return 2.0 * cylinder.radius; }
@@ -39,8 +39,8 @@ double doubledArea(const glm::dvec3 (&corners)[3]) {
     return glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
 }
 
-/// The largest extent, but for meshes of thin or scattered triangles: the side of a square whose
-/// area rounding changes by as large a share as theirs. Each triangle's error is its own.
+/// The largest extent. For meshes of thin or scattered triangles: the side of a square whose area
+/// changes by the same share through rounding. The errors of triangles are independent.
 double SizeOf::operator()(const Mesh& mesh) const {
     double area = 0.0;
     double squaredChange = 0.0;
@@ -64,8 +64,8 @@ struct SmallShape {
     const Shape* shape = nullptr;
     double size = 0.0;      ///< metres
     double distance = 0.0;  ///< metres, along the axis on which it is largest
-    double need = 0.0;      ///< the size it ought to have over the one it has
-    bool isOfParts = false; ///< the size is that of a mesh's triangles
+    double need = 0.0;      ///< required size over actual size
+    bool isOfParts = false; ///< `size` is that of a mesh's triangles
 };
 
 SmallShape measure(const Shape& shape, const glm::dvec3& origin) {
@@ -80,7 +80,8 @@ std::string consequence(const SmallShape& shape) {
     if (shape.size < kSmallestShape)
         return "; below 1e-11 m single precision may let rays through: scale the scene up";
     return ", " + twoDigits(shape.distance) +
-           " m from the camera or the scene's near side, where single precision knows places to " +
+           " m from the camera or the scene's near side, where single precision resolves positions "
+           "to " +
            twoDigits(kRounding * shape.distance) +
            " m, so that its light and shadow are off by half a percent or more; bring the camera "
            "closer";

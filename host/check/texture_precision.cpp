@@ -14,13 +14,13 @@
 namespace calotype {
 namespace {
 
-/// Where a texture is read farthest from the origin of its coordinates.
+/// The lookup of a texture that is farthest from the origin of its coordinates.
 struct FarthestLookup {
     double texels = 0.0;
     size_t shape = 0;
 };
 
-/// A texture's texels between its origin and anything read at coordinates up to `farthestUv`.
+/// The number of texels from a texture's origin to lookups at coordinates up to `farthestUv`.
 double texelsTo(const Texture& texture, const glm::dvec2& farthestUv) {
     glm::dvec2 size(1.0);
     if (const auto* image = std::get_if<ImageTexture>(&texture.source))

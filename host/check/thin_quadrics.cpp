@@ -9,7 +9,7 @@
 namespace calotype {
 namespace {
 
-/// A measure along over one across, or 1 for shapes that are thin in no way.
+/// Height over radius, or the slope, or the inverse if larger; 1 for other shapes.
 double proportionOf(const Shape& shape) {
     if (const auto* cylinder = std::get_if<Cylinder>(&shape.geometry))
         return cylinder->height / cylinder->radius;

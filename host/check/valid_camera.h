@@ -4,8 +4,8 @@
 
 namespace calotype {
 
-/// Throws SceneError unless the numbers of the camera, the film, the settings of the render and the
-/// background lie in their ranges.
+/// Throws SceneError unless the numbers of the camera, the film, the render settings and the
+/// background are in their ranges.
 void requireValidCamera(const Scene& scene);
 
 } // namespace calotype

@@ -5,7 +5,7 @@
 namespace calotype {
 
 /// Throws SceneError unless every texture has an image, and the numbers of textures and materials
-/// lie in their ranges (see materialKinds) and name textures that exist.
+/// are in their ranges (see materialKinds) and refer to existing textures.
 void requireValidMaterials(const Scene& scene);
 
 } // namespace calotype

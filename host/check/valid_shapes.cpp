@@ -16,7 +16,7 @@
 namespace calotype {
 namespace {
 
-/// Of a normal's length, which interpolation evens out.
+/// Of a normal's length; interpolation normalises it anyway.
 constexpr double kLengthTolerance = 1e-3;
 
 void requireMaterial(const Scene& scene, uint32_t material, const std::string& where) {
@@ -40,7 +40,7 @@ bool verticesExist(const Mesh& mesh, const Mesh::Triangle& t) {
            (areAll(Mesh::kNoUv, t.uv) || lieBelow(mesh.uvs.size(), t.uv));
 }
 
-/// Of a triangle whose vertices exist.
+/// The vertices of the triangle must exist.
 bool normalsAreUnit(const Mesh& mesh, const Mesh::Triangle& triangle) {
     return std::ranges::all_of(triangle.normal, [&](uint32_t index) {
         return index == Mesh::kNoNormal ||

@@ -4,8 +4,8 @@
 
 namespace calotype {
 
-/// Throws SceneError unless the numbers of all shapes lie in their ranges, meshes index what they
-/// have, and materials exist.
+/// Throws SceneError unless the numbers of all shapes are in their ranges, the indices of meshes
+/// are valid, and materials exist.
 void requireValidShapes(const Scene& scene);
 
 } // namespace calotype

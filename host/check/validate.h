@@ -5,10 +5,10 @@
 
 namespace calotype {
 
-/// Checks a scene, whatever file it was read from, or one made in memory. Throws SceneError, with a
-/// place, for what cannot be rendered: numbers out of their ranges, and indices of what is not
-/// there. Warns of what will not look as its author expects: materials that reflect too much, what
-/// the device's single precision and fixed point do not hold well, and a black picture.
+/// Checks a scene that was read from any file or made in memory. Throws SceneError, with a place,
+/// for what cannot be rendered: numbers out of their ranges, and invalid indices. Warns of results
+/// that its author may not expect: materials that reflect too much, features that exceed the
+/// device's single precision or the film's fixed point, and a black picture.
 void validate(const Scene& scene, Warnings& warnings);
 
 } // namespace calotype

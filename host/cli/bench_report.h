@@ -7,10 +7,10 @@
 
 namespace calotype {
 
-/// A few lines for people. `scene` is its name.
+/// A report of a few lines for users. `scene` is its name.
 std::string toText(const std::string& scene, const BenchReport& report);
 
-/// One line of JSON, ended. `threads` are those of a CPU as device; 0: all cores.
+/// One line of JSON with a line break. `threads` is that of a CPU as device; 0: all cores.
 std::string toJsonLine(const std::string& scene, const BenchReport& report, uint32_t threads);
 
 } // namespace calotype

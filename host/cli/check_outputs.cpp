@@ -26,7 +26,7 @@ void checkOutputs(const RenderOptions& options) {
     const FilmOptions& film = options.film;
     const OutputOptions& output = options.output;
     const bool adapts = options.settings.has("adaptive");
-    if (!film.film.empty() && film.resume != film.film) // else it is claimed below, to be written
+    if (!film.film.empty() && film.resume != film.film) // else it is claimed below as output
         claims.reserve(film.resume);
     if (adapts && options.settings.has("samples"))
         throw UsageError("--adaptive decides on the samples of each pixel itself; leave out "

@@ -4,9 +4,9 @@
 
 namespace calotype {
 
-/// Everything that could keep a result from being written is known before rendering starts: throws
-/// UsageError where outputs are of no known format, given twice or lack what is asked of them, and
-/// OutputError where a file could not be written.
+/// Checks before rendering everything that could prevent writing the results. Throws UsageError if
+/// outputs have an unknown format, are given twice, or do not fit their options; throws OutputError
+/// if a file cannot be written.
 void checkOutputs(const RenderOptions& options);
 void checkOutputs(const MergeOptions& options);
 

@@ -25,13 +25,13 @@ int fail(const std::string& message, ExitCode code) {
     return code;
 }
 
-/// The error in the words of the command line: "--crop reaches beyond the picture".
+/// The error with the name of the option: "--crop reaches beyond the picture".
 std::string optionOf(const SettingError& error) {
     const Setting* setting = findSetting(error.setting());
     return (setting ? setting->option() : error.setting()) + " " + error.problem();
 }
 
-/// Runs `action`; every error ends here.
+/// Runs `action` and converts errors to exit codes.
 int withExitCode(const std::function<int()>& action) {
     try {
         return action();
@@ -173,7 +173,7 @@ int parseAndRun(int argc, char** argv) {
     app.set_version_flag("--version", CALOTYPE_VERSION);
     bool wantsMarkdown = false;
     app.add_flag("--help-markdown", wantsMarkdown, "Print the help of all commands as Markdown");
-    app.require_subcommand(0, 1); // none is reported below, after any unknown word
+    app.require_subcommand(0, 1); // no command is reported below, after unknown words
     RenderOptions renderOptions;
     InfoOptions infoOptions;
     MergeOptions mergeOptions;

@@ -6,8 +6,8 @@ namespace calotype {
 
 /// The program's commands. Each returns an exit code, or throws one of base/error.h.
 int renderCommand(const RenderOptions& options);
-int infoCommand(const InfoOptions& options);     ///< of a scene, or of a film by the next
-int filmInfoCommand(const InfoOptions& options); ///< its path is that of a film
+int infoCommand(const InfoOptions& options); ///< for a scene; for a film it calls filmInfoCommand
+int filmInfoCommand(const InfoOptions& options); ///< the path must be that of a film
 int mergeCommand(const MergeOptions& options);
 int compareCommand(const CompareOptions& options);
 int studyCommand(const StudyOptions& options);

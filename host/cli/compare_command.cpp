@@ -16,13 +16,13 @@
 namespace calotype {
 namespace {
 
-/// Everything that could keep the picture from being written is known before anything is read.
+/// Checks before reading everything that could prevent writing the picture.
 void checkDifferenceFile(const CompareOptions& options) {
     const std::string& path = options.differenceFile;
     if (imageFormatOf(path) != ImageFormat::Png)
         throw UsageError("--diff '" + path + "' is not a PNG; name it .png");
     for (const std::string& input : {options.a, options.b}) {
-        std::error_code missing; // what does not exist is not the same
+        std::error_code missing; // a missing file is a different file
         if (std::filesystem::equivalent(path, input, missing))
             throw UsageError("--diff '" + path + "' is one of the pictures to compare");
     }
@@ -42,7 +42,7 @@ void printLargest(const LargestDifference& largest, const Image& a, const Image&
     }
     const glm::vec3& pixelA = a.at(largest.x, largest.y);
     const glm::vec3& pixelB = b.at(largest.x, largest.y);
-    // Nine digits tell any two floats apart.
+    // Nine digits distinguish any two floats.
     std::printf("largest       %.6g in %c at (%u, %u) from the top left: A (%.9g, %.9g, %.9g), "
                 "B (%.9g, %.9g, %.9g)\n",
                 largest.magnitude, "RGB"[largest.channel], largest.x, largest.y, pixelA.r, pixelA.g,
@@ -60,7 +60,7 @@ void printErrors(const ImageDifference& difference) {
                 difference.psnr(), difference.peak);
 }
 
-/// Whether A is as near as is wanted; says on standard error why not.
+/// Whether A is near enough to B; if not, prints the reason on standard error.
 bool isWithin(double maxRelativeMse, const ImageDifference& difference) {
     if (difference.relativeMse > maxRelativeMse)
         std::fprintf(stderr, "calotype: the relative MSE of %.9g exceeds --max-relmse %.9g\n",

@@ -10,7 +10,7 @@
 namespace calotype {
 namespace {
 
-/// Empty where it is not set.
+/// Empty if it is not set.
 std::string variable(const char* name) {
     const char* value = std::getenv(name);
     return value ? value : "";
@@ -21,7 +21,7 @@ std::string variable(const char* name) {
 DeviceOptions withEnvironment(DeviceOptions options, bool knowsReference) {
     options.askedBy = "--device";
     if (!knowsReference && isReference(options))
-        throw UsageError("--device reference is no device; only render and study know it");
+        throw UsageError("--device reference is no device; only render and study support it");
     if (options.device.empty()) {
         options.askedBy = "CALOTYPE_DEVICE";
         options.device = variable("CALOTYPE_DEVICE");

@@ -4,11 +4,11 @@
 
 namespace calotype {
 
-/// The device that the options name, or else the environment variable CALOTYPE_DEVICE, and whether
-/// CALOTYPE_VALIDATION asks for the validation layers. Where lavapipe's number of threads is given,
-/// its environment variable is set, so this has to be called before Vulkan is used. Throws
-/// UsageError where the options name the reference tracer, and the command does not know it; the
-/// variable's "reference" then means no device in particular.
+/// Adds the environment to the options: CALOTYPE_DEVICE is the device if the options name none;
+/// CALOTYPE_VALIDATION turns on the validation layers. If lavapipe's number of threads is given,
+/// sets its environment variable, so call this before Vulkan is used. If the command does not
+/// support the reference tracer, throws UsageError if the options name it, and ignores it in the
+/// variable.
 DeviceOptions withEnvironment(DeviceOptions options, bool knowsReference);
 
 } // namespace calotype

@@ -10,12 +10,11 @@ namespace calotype {
 namespace {
 
 /// Signals less than this apart, in seconds, count as one: `timeout` signals the program and then
-/// its process group. Nobody presses Ctrl-C twice so fast.
+/// its process group. A user cannot press Ctrl-C twice so fast.
 constexpr double kSameSignal = 0.2;
 
 volatile std::sig_atomic_t interrupted = 0;
-timespec
-    firstSignalAt; // read and written by the handler only, which is never interrupted by itself
+timespec firstSignalAt; // used by the handler only, which cannot interrupt itself
 
 double secondsBetween(const timespec& begin, const timespec& end) {
     return double(end.tv_sec - begin.tv_sec) + double(end.tv_nsec - begin.tv_nsec) * 1e-9;
@@ -41,7 +40,7 @@ void catchInterrupts() {
     sigaddset(&action.sa_mask, SIGTERM);
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
-    // A file size limit or a closed pipe is then an error of the write, which is cleaned up after.
+    // Then exceeding a file size limit, or a closed pipe, is an error of the write, with cleanup.
     std::signal(SIGXFSZ, SIG_IGN);
     std::signal(SIGPIPE, SIG_IGN);
 }

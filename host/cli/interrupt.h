@@ -2,15 +2,15 @@
 
 namespace calotype {
 
-/// From now on the first SIGINT or SIGTERM is only noted; another one, more than a fifth of a
-/// second later, ends the program at once.
+/// After this call, the first SIGINT or SIGTERM only sets a flag; another one, more than a fifth of
+/// a second later, ends the program at once.
 /// Signals of failing writes are ignored, so that the writes fail instead.
 void catchInterrupts();
 
-/// True once a signal came.
+/// True after a signal.
 bool isInterrupted();
 
-/// Throws Interrupted once a signal came.
+/// Throws Interrupted after a signal.
 void throwIfInterrupted();
 
 } // namespace calotype

@@ -5,7 +5,7 @@
 namespace calotype {
 namespace {
 
-/// Within a cell of a table a bar or a new line would end it.
+/// Escapes bars and line breaks, which would end a table cell.
 std::string cell(const std::string& text) {
     std::string escaped;
     for (const char c : text)

@@ -59,13 +59,13 @@ struct StudyOptions {
     SceneOptions scene;
     DeviceOptions device;
     GivenSettings settings;
-    double budget = 300.0; ///< seconds, for all of it
+    double budget = 300.0; ///< seconds, for the whole study
     std::string folder;    ///< empty: by the scene's name
     bool quiet = false;
 };
 
 struct BenchOptions {
-    std::vector<std::string> scenes; ///< paths; none: scenes made for it
+    std::vector<std::string> scenes; ///< paths; none: generated scenes
     std::vector<SceneOverride> overrides;
     DeviceOptions device;
     GivenSettings settings;

@@ -8,7 +8,7 @@
 namespace calotype {
 namespace {
 
-/// A path that cannot be resolved cannot be written either, and then stays as it is.
+/// A path that cannot be resolved cannot be written either, and is returned unchanged.
 std::filesystem::path resolved(const std::string& path) {
     std::error_code ignored;
     return std::filesystem::weakly_canonical(path, ignored);

@@ -6,18 +6,18 @@
 
 namespace calotype {
 
-/// The files that a command reads and will write: none may be two things at once, and each must be
-/// writable before the work begins.
+/// The files that a command reads and writes. No file may have two uses, and each output must be
+/// writable before the work starts.
 class OutputClaims {
 public:
-    /// A file that is read, and may not be written. An empty path is none.
+    /// A file that is read and must not be written. An empty path is ignored.
     void reserve(const std::string& path);
 
-    /// Each throws UsageError where the path is reserved, claimed before, or of no fitting kind,
-    /// and OutputError where it cannot be written.
+    /// Each throws UsageError if the path is reserved, claimed before, or of a wrong kind, and
+    /// OutputError if it cannot be written.
     void claim(const std::string& path);
     void claimPicture(const std::string& path);
-    void claimFilm(const std::string& path); ///< an existing file has to be a film, or empty
+    void claimFilm(const std::string& path); ///< an existing file must be a film, or empty
 
 private:
     std::set<std::filesystem::path> taken_;

@@ -8,8 +8,8 @@
 
 namespace calotype {
 
-/// Each reads one value of the command line, and throws UsageError naming the option, the value and
-/// what is expected.
+/// Each reads one value of the command line. Throws UsageError with the option, the value and what
+/// is expected.
 PreviewInterval parsePreviewInterval(const std::string& text); ///< --preview-every "16" or "10s"
 SceneOverride parseOverride(const std::string& text);          ///< --set "/pointer=value"
 MissingTextures parseMissingTextures(const std::string& text); ///< --missing-textures
@@ -18,7 +18,7 @@ float parseExposure(const std::string& text);                  ///< --exposure "
 double parseMaxRelativeMse(const std::string& text);           ///< --max-relmse "1e-3"
 
 LayerList parseLayers(const std::string& text); ///< --aov "albedo,normal,error"
-/// "30s", "1.5m", "2h", or a number of seconds; above 0. `option` is named in the message.
+/// "30s", "1.5m", "2h", or a number of seconds; above 0. Messages name `option`.
 double parseDuration(const std::string& option, const std::string& text);
 
 } // namespace calotype

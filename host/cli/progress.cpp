@@ -60,7 +60,7 @@ double Progress::shareDone(const RenderTotals& totals, double elapsed) const {
     if (plan_.seconds)
         done = std::max(done, elapsed / *plan_.seconds);
     if (plan_.targetError && totals.error) {
-        // Errors fall with the root of the samples, and are looked at where these have doubled.
+        // Errors fall with the square root of the samples and are checked at each doubling.
         const auto now = static_cast<double>(totals.samplesPerPixel);
         const double needed = now * std::pow(totals.error->relative / *plan_.targetError, 2.0);
         const double look = std::max(128.0, std::exp2(std::ceil(std::log2(std::max(1.0, needed)))));

@@ -8,8 +8,8 @@
 
 namespace calotype {
 
-/// Tells on standard error how far the work is: on a terminal as a bar that is drawn over,
-/// elsewhere as a line now and then. Silent if `quiet`.
+/// Shows the progress on standard error: as a bar on a terminal, otherwise as a line from time to
+/// time. Silent if `quiet`.
 class Progress {
 public:
     explicit Progress(bool quiet, const RenderPlan& plan = {});
@@ -22,13 +22,13 @@ public:
 
     void rendering(const RenderTotals& totals);
 
-    /// Removes the bar, so that a message can follow.
+    /// Removes the bar before a message.
     void clear();
 
 private:
     using Clock = std::chrono::steady_clock;
 
-    /// True when it is time to show something again.
+    /// True if it is time for the next update.
     bool isDue();
     void show(double done, const std::string& text);
     double shareDone(const RenderTotals& totals, double elapsed) const;

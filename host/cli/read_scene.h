@@ -8,16 +8,16 @@
 
 namespace calotype {
 
-/// The scene that the options name, in the size that the settings give, if they do. `onProgress` is
-/// told "loading chair.obj", and the share of it done; what it throws ends the reading. Throws
-/// SceneError, like loadScene.
+/// The scene that the options name, in the size that the settings give, if any. `onProgress` is
+/// called with a step such as "loading chair.obj", and its share done in [0, 1]; it may throw to
+/// end the reading. Throws SceneError, like loadScene.
 Scene readScene(const SceneOptions& options, const GivenSettings& settings,
                 const std::function<void(const std::string& what, double done)>& onProgress);
 
-/// On standard error.
+/// Prints on standard error.
 void printWarning(const std::string& warning);
 
-/// The scene's warnings, likewise.
+/// Prints all warnings of the scene.
 void printWarnings(const Scene& scene);
 
 } // namespace calotype

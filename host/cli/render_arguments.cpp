@@ -33,7 +33,7 @@ void addOutputOptions(CLI::App& command, OutputOptions& output) {
         ->group(kOutput);
 }
 
-/// What is kept of a render beside its pictures.
+/// Options of the film.
 void addFilmOptions(CLI::App& command, FilmOptions& film) {
     command
         .add_option("--film", film.film,

@@ -22,7 +22,7 @@
 namespace calotype {
 namespace {
 
-/// Whether the number of samples ends the render: where it was given, or where nothing else does.
+/// Whether the number of samples ends the render: if it was given, or if nothing else does.
 bool limitsSamples(const GivenSettings& given) {
     return given.has("spp") || given.has("samples") ||
            !(given.has("target_error") || given.has("time"));
@@ -32,8 +32,8 @@ RenderJob makeJob(const RenderOptions& options, const Scene& scene) {
     RenderJob job;
     job.settings = defaultSettings(scene);
     job.limitsSamples = limitsSamples(options.settings);
-    // The scene's number of samples must not keep a render from the error or the time that the
-    // user gave.
+    // If the user gave an error or a time, the scene's number of samples must not end the render
+    // before.
     if (!job.limitsSamples)
         job.settings.samplesPerPixel = kMostSamplesPerPixel;
     options.settings.applyTo(job.settings);
@@ -88,7 +88,7 @@ private:
         return observer;
     }
 
-    /// Shows what is being done, and the share of it done.
+    /// Shows the current step and its share done.
     void step(const std::string& what, double done) {
         throwIfInterrupted();
         progress_->step(what, done);

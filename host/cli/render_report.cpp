@@ -10,7 +10,7 @@
 namespace calotype {
 namespace {
 
-/// " 1.93 %", with a word where more light may be missing altogether.
+/// " 1.93 %", with a remark if light may be missing altogether.
 std::string estimateText(const ErrorEstimate& error) {
     const bool isDoubtful = error.doubt && !error.isTrusted();
     return std::string(" ")
@@ -18,7 +18,7 @@ std::string estimateText(const ErrorEstimate& error) {
         .append(isDoubtful ? " (not to be trusted: it rests on rare bright samples)" : "");
 }
 
-/// Where the picture or the film is.
+/// Names the file of the picture or of the film.
 std::string placeOf(const RenderOptions& options) {
     const std::vector<std::string>& pictures = options.output.pictures;
     return pictures.empty() ? options.film.path() : pictures.front();
@@ -30,11 +30,12 @@ void reportInterrupt(const RenderOptions& options, const std::string& samples) {
                  samples.c_str(), what, placeOf(options).c_str());
 }
 
-/// The estimate, and how a goal is judged by it.
+/// The estimate, and how it compares with a target.
 std::string judgedText(const ErrorEstimate& error, double target) {
     std::string text = ": it is" + estimateText(error);
     if (error.isTrusted() && std::isfinite(error.upperBound()))
-        text += ", or up to " + percentText(error.upperBound()) + " for all that the samples tell";
+        text += ", or up to " + percentText(error.upperBound()) +
+                " within the uncertainty of the samples";
     if (error.relative <= target)
         text +=
             "; it is judged after 128, 256, 512, ... samples per pixel alone, by what it may be "
@@ -42,13 +43,13 @@ std::string judgedText(const ErrorEstimate& error, double target) {
     return text;
 }
 
-/// A goal that was missed.
+/// Warns if the target was not reached.
 void warnOfGoal(const RenderOutcome& outcome) {
     const auto& target = outcome.plan.targetError;
     const auto& error = outcome.totals.error;
     if (target && outcome.ending != RenderEnding::TargetError)
         printWarning("the error of " + percentText(*target) +
-                     " that --target-error asks for was not reached" +
+                     " that --target-error sets was not reached" +
                      (error ? judgedText(*error, *target) : ""));
 }
 

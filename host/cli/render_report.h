@@ -5,7 +5,7 @@
 
 namespace calotype {
 
-/// Says on standard error what is wrong with the picture, if anything, and how the render ended.
+/// Prints on standard error what is wrong with the picture, if anything, and how the render ended.
 void reportRender(const RenderOptions& options, const RenderOutcome& outcome);
 
 } // namespace calotype

@@ -32,7 +32,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Throws OutputError where the folder cannot be made or written to.
+/// Throws OutputError if the folder cannot be made or written.
 std::filesystem::path makeFolder(const StudyOptions& options) {
     std::filesystem::path folder = options.folder;
     if (folder.empty())
@@ -46,7 +46,7 @@ std::filesystem::path makeFolder(const StudyOptions& options) {
     return folder;
 }
 
-/// As a shell takes it for one word.
+/// Quotes the text as one word of a shell.
 std::string shellWord(const std::string& text) {
     const auto isPlain = [](unsigned char c) {
         return std::isalnum(c) || std::strchr("_-./=,:", c) != nullptr;
@@ -59,7 +59,7 @@ std::string shellWord(const std::string& text) {
     return word + "'";
 }
 
-/// The command that renders what the study is about.
+/// The command that renders the scene of the study.
 std::string renderCommandOf(const StudyOptions& options) {
     std::string command = "calotype render " + shellWord(options.scene.path);
     for (const SceneOverride& override : options.scene.overrides)
@@ -94,7 +94,7 @@ void printChoices(const Study& study) {
     }
 }
 
-/// Leaves no empty folder where the study comes to nothing.
+/// Runs the study; if it fails, removes the folder if that is empty.
 Study runOrClean(const std::filesystem::path& folder, const std::function<Study()>& run) {
     try {
         Study study = run();
@@ -103,13 +103,13 @@ Study runOrClean(const std::filesystem::path& folder, const std::function<Study(
                 "interrupted before the default settings were measured; nothing was written");
         return study;
     } catch (...) {
-        std::error_code ignored; // such as that it is not empty
+        std::error_code ignored; // such as: not empty
         std::filesystem::remove(folder, ignored);
         throw;
     }
 }
 
-/// Where one of them fails, the others are written all the same.
+/// If one of the files cannot be written, the others are still written.
 void writeAll(const Study& study, const StudyOrigin& origin, const std::filesystem::path& folder) {
     std::exception_ptr failure;
     const auto write = [&](const char* name, const std::string& contents) {
@@ -126,7 +126,7 @@ void writeAll(const Study& study, const StudyOrigin& origin, const std::filesyst
         std::rethrow_exception(failure);
 }
 
-/// What is missing from the study. Returns the exit code.
+/// Reports what is missing from the study. Returns the exit code.
 int reportGaps(const Study& study, const std::filesystem::path& folder) {
     for (const FailedVariant& failure : study.failures)
         std::fprintf(stderr, "calotype: warning: not measured: %s: %s\n", failure.name.c_str(),

@@ -24,7 +24,7 @@ RenderTotals renderOnce(DeviceEngine& engine, const RenderSettings& settings,
     return session.totals();
 }
 
-/// The rates of `repeats` measurements after one that is not counted.
+/// The rates of `repeats` measurements, after one that does not count.
 Spread measure(uint32_t repeats, double count, const std::function<double()>& seconds,
                const ShouldStop& shouldStop) {
     seconds();

@@ -14,14 +14,14 @@
 
 namespace calotype {
 
-/// What repeats of one measurement gave.
+/// Statistics of repeated measurements.
 struct Spread {
     double median = 0.0;
     double least = 0.0;
     double greatest = 0.0;
 };
 
-/// Of at least one number.
+/// `numbers` must not be empty.
 Spread spreadOf(std::vector<double> numbers);
 
 /// Rays of one kind, traced without shading.
@@ -31,23 +31,23 @@ struct TraversalRate {
     Spread perSecond;
 };
 
-/// What is measured of one scene.
+/// The measurements of one scene.
 struct BenchReport {
     DeviceInfo device;
-    RenderSettings settings; ///< `samplesPerPixel` is of each repeat
+    RenderSettings settings; ///< `samplesPerPixel` is that of each repeat
     uint32_t repeats = 0;
     uint64_t primitives = 0;
     Spread pathsPerSecond;
     Spread raysPerSecond;
     std::vector<TraversalRate> traversal;
     StageSeconds seconds;          ///< of the first picture; `firstSample` is their sum
-    double firstPassSeconds = 0.0; ///< until every pixel had its first sample, after compiling
+    double firstPassSeconds = 0.0; ///< until every pixel had its first sample, without compiling
     uint64_t deviceBytes = 0;
 };
 
-/// Measures how fast a scene is rendered on a Vulkan device, `repeats` >= 1 times after once that
-/// is not counted; `loadSeconds` are what making the scene took. Throws GpuError, SceneError, and
-/// Interrupted where `shouldStop` returned true.
+/// Measures how fast a scene is rendered on a Vulkan device, `repeats` >= 1 times, after one time
+/// that does not count. `loadSeconds` is the time that making the scene took. Throws GpuError,
+/// SceneError, and Interrupted if `shouldStop` returned true.
 BenchReport measureScene(const Scene& scene, const RenderSettings& settings, uint32_t repeats,
                          const DeviceOptions& device, double loadSeconds,
                          const std::function<bool()>& shouldStop);

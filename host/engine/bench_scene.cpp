@@ -11,13 +11,13 @@ constexpr uint32_t kNo = Mesh::kNoNormal;
 
 struct Ball {
     glm::dvec3 center;
-    double radius; ///< metres, but for the bumps
+    double radius; ///< metres, without the bumps
 };
 
 constexpr std::array<Ball, 3> kBalls = {
     {{{0, 0, 0}, 0.7}, {{0.9, 0.2, -0.5}, 0.5}, {{-0.9, -0.3, -0.4}, 0.5}}};
 
-/// Share of the radius by which the ball rises in a direction: waves of many lengths.
+/// Relative height of the ball's surface in a direction: waves of many lengths.
 double bump(const glm::dvec3& n) {
     using std::cos;
     using std::sin;
@@ -25,10 +25,10 @@ double bump(const glm::dvec3& n) {
            0.02 * sin(40 * n.x) * sin(41 * n.y) * sin(43 * n.z);
 }
 
-/// A grid of longitudes and latitudes.
+/// A grid in longitude and latitude.
 Shape makeBall(const Ball& ball, uint32_t material) {
     constexpr uint32_t kLongitudes = 512;
-    constexpr uint32_t kLatitudes = 257; // 262,144 triangles: those at the poles are single
+    constexpr uint32_t kLatitudes = 257; // 262,144 triangles: one per cell at the poles, else two
     Mesh mesh;
     for (uint32_t i = 0; i <= kLongitudes; ++i)
         for (uint32_t j = 0; j <= kLatitudes; ++j) {
@@ -47,7 +47,7 @@ Shape makeBall(const Ball& ball, uint32_t material) {
     };
     for (uint32_t i = 0; i < kLongitudes; ++i)
         for (uint32_t j = 0; j < kLatitudes; ++j) {
-            if (j + 1 < kLatitudes) // at the pole it has no area
+            if (j + 1 < kLatitudes) // at the pole this one has no area
                 add(vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1));
             if (j > 0)
                 add(vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1));
@@ -57,7 +57,7 @@ Shape makeBall(const Ball& ball, uint32_t material) {
     return shape;
 }
 
-/// A rectangle from a corner along two edges, its front where their cross product points.
+/// A rectangle from a corner and two edges; its front is on the side of their cross product.
 Shape makeRectangle(const glm::dvec3& corner, const glm::dvec3& edgeU, const glm::dvec3& edgeV,
                     uint32_t material) {
     Mesh mesh;

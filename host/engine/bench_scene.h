@@ -4,10 +4,10 @@
 
 namespace calotype {
 
-/// Three bumpy balls of 786,432 triangles together above a floor, under one square lamp; diffuse.
+/// Three bumpy balls of 786,432 triangles in total above a floor, under one square light; diffuse.
 Scene makeBenchScene();
 
-/// The same with a material of every kind, textures, and lamps of every kind.
+/// The same with a material of every kind, textures, and lights of every kind.
 Scene makeManyMaterialScene();
 
 } // namespace calotype

@@ -14,21 +14,21 @@
 
 namespace calotype {
 
-/// A scene made ready for a device, with what each step on the way left.
+/// A scene ready for a device, with the results of all steps.
 struct CompiledScene {
     std::vector<Primitive> primitives; ///< relative to `packed.origin`
     BvhBuilder builder = BvhBuilder::Sah;
     Bvh bvh;
-    GpuScene packed; ///< with the features of the kernel that it needs
+    GpuScene packed; ///< with the kernel features that it needs
 };
 
 struct CompileOptions {
-    bool allUvs = false; ///< keeps texture coordinates without textures, for layers of first hits
-    std::function<void(double)> onProgress; ///< told the share done in [0, 1]; may throw
+    bool allUvs = false; ///< keeps texture coordinates without textures, for first-hit layers
+    std::function<void(double)> onProgress; ///< called with the share done in [0, 1]; may throw
 };
 
-/// Chooses the origin, collects the primitives, builds their tree and packs everything. Throws
-/// SceneError where the scene does not fit a device's arithmetic.
+/// Chooses the origin, collects the primitives, builds the BVH and packs everything. Throws
+/// SceneError if the scene exceeds the range of a device's arithmetic.
 CompiledScene compileScene(const Scene& scene, const RenderSettings& settings,
                            const CompileOptions& options = {});
 

@@ -8,7 +8,7 @@
 namespace calotype {
 namespace {
 
-/// Sets `builder` to the one it took.
+/// Sets `builder` to the builder that was used.
 GpuScene compile(const Scene& scene, const EngineRequest& request, BvhBuilder& builder) {
     CompileOptions options;
     options.allUvs = request.wantsFirstHits;
@@ -19,7 +19,7 @@ GpuScene compile(const Scene& scene, const EngineRequest& request, BvhBuilder& b
     return std::move(compiled.packed);
 }
 
-/// Throws GpuError where the device has not enough.
+/// Throws GpuError if the device does not have enough memory.
 uint64_t requiredBytes(const Device& device, const GpuScene& packed, const EngineRequest& request) {
     const uint64_t bytes = packed.bytes() + pathTracerBytes(device, request.settings) +
                            (request.wantsFirstHits ? firstHitPassBytes(request.settings) : 0);

@@ -31,7 +31,7 @@ public:
 private:
     RenderSettings settings_;
     BvhBuilder builder_ = BvhBuilder::Sah;
-    // The device comes first: without one there is no need to build.
+    // Opened first: without a device the rest is not needed.
     DeviceSession session_;
     GpuScene packed_;
     uint64_t deviceBytes_;

@@ -11,7 +11,7 @@ namespace calotype {
 /// Vulkan and the device that the options name.
 class DeviceSession {
 public:
-    /// Throws GpuError where there is no such device, or where it lacks what Calotype needs.
+    /// Throws GpuError if there is no such device, or if it does not support what Calotype needs.
     explicit DeviceSession(const DeviceOptions& options);
 
     const Device& device() const { return device_; }
@@ -24,7 +24,7 @@ private:
     Device device_;
 };
 
-/// Throws GpuError with the estimate and the limit where `bytes` exceed the device's memory.
+/// Throws GpuError with the estimate and the limit if `bytes` exceed the device's memory.
 void requireMemory(const Device& device, uint64_t bytes);
 
 } // namespace calotype

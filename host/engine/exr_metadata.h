@@ -7,8 +7,8 @@
 
 namespace calotype {
 
-/// Sets the picture's metadata, which say how it was made, and its place in the whole picture. What
-/// the label does not tell is left out.
+/// Sets the picture's metadata about the render, and its place in the whole picture. Facts that the
+/// label does not have are left out.
 void describe(Picture& picture, const FilmLabel& label, uint64_t samplesPerPixel, double seconds);
 
 } // namespace calotype

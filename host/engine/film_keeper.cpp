@@ -46,7 +46,7 @@ void FilmKeeper::checkpoint(const Film& film) {
         return;
     try {
         save(film);
-    } catch (const OutputError& error) { // the render is worth more than a checkpoint of it
+    } catch (const OutputError& error) { // a failed checkpoint does not end the render
         onWarning_(error.what());
     }
     lastSave_ = Clock::now();

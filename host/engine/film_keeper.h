@@ -11,45 +11,45 @@
 
 namespace calotype {
 
-/// Films to keep and go on with; empty paths are none.
+/// Films to write and to resume; an empty path means none.
 struct FilmOptions {
     std::string film;
     std::string resume;
-    std::optional<double> checkpointSeconds = {}; ///< none: the default
+    std::optional<double> checkpointSeconds = {}; ///< none: kCheckpointSeconds
 
     static constexpr double kCheckpointSeconds = 60.0;
 
     bool keepsFilm() const { return !film.empty() || !resume.empty(); }
 
-    /// Where the film is kept; empty for none.
+    /// The file that the film is written to; empty for none.
     const std::string& path() const { return film.empty() ? resume : film; }
 };
 
-/// The film of a render, in its file: what it held before, and its checkpoints.
+/// The film file of a render: reads it at the start, and writes checkpoints.
 class FilmKeeper {
 public:
-    /// Told a complete sentence.
+    /// Called with a complete sentence.
     using OnWarning = std::function<void(const std::string&)>;
 
-    /// Reads the film to go on with, if one is wanted. Throws SceneError where it is damaged or
-    /// does not fit the label.
+    /// Reads the film to resume, if there is one. Throws SceneError if it is damaged or does not
+    /// fit the label.
     FilmKeeper(const FilmOptions& options, FilmLabel label, const Crop& crop, OnWarning onWarning);
 
-    /// Whether a film is to be kept at all.
+    /// Whether a film is written at all.
     bool isWanted() const { return options_.keepsFilm(); }
     const std::string& path() const { return options_.path(); }
     const FilmLabel& label() const { return label_; }
 
-    /// The film to go on with, or an empty one of this size. Where there is no film yet, it is
-    /// written, so that there is a film at whatever moment the program is killed. Throws SceneError
-    /// where a film was of lights of another strength, and OutputError.
+    /// The film to resume, or an empty one of this size. A new film is written at once, so that
+    /// there is a file whenever the program is killed. Throws SceneError if the film was made with
+    /// lights of another strength, and OutputError.
     Film begin(const RenderSettings& settings, double maxRadiance, const DeviceInfo& device);
 
-    /// Keeps the film if the last time is long enough ago. A film that cannot be written is warned
-    /// of, and the render goes on.
+    /// Writes the film if the last time is long enough ago. If it cannot be written, warns, and the
+    /// render continues.
     void checkpoint(const Film& film);
 
-    /// Keeps the film. Throws OutputError.
+    /// Writes the film. Throws OutputError.
     void save(const Film& film);
 
 private:
@@ -59,7 +59,7 @@ private:
     FilmLabel label_;
     OnWarning onWarning_;
     std::string device_;
-    uint64_t blocksBefore_ = 0; ///< that the film began with
+    uint64_t blocksBefore_ = 0; ///< blocks of the film at the start
     std::optional<KeptFilm> resumed_;
     Clock::time_point lastSave_ = Clock::now();
 };

@@ -10,14 +10,14 @@
 
 namespace calotype {
 
-/// What a film of these settings is labelled with: all of them that change its samples.
+/// The label of a film with these settings: all settings that change its samples.
 FilmLabel labelOf(const Scene& scene, const RenderSettings& settings);
 
-/// Reads a film; its label is as this version would write it, whichever version wrote the film.
-/// Throws SceneError as readFilm.
+/// Reads a film. Its label has the form of this version, whichever version wrote the film. Throws
+/// SceneError like readFilm.
 KeptFilm readLabelledFilm(const std::filesystem::path& path);
 
-/// "llvmpipe (LLVM 15.0.6, 256 bits), llvmpipe Mesa 22.3.6": as films name a device.
+/// "llvmpipe (LLVM 15.0.6, 256 bits), llvmpipe Mesa 22.3.6": a device in a film's label.
 std::string nameWithDriver(const DeviceInfo& device);
 
 } // namespace calotype

@@ -8,8 +8,8 @@
 
 namespace calotype {
 
-/// What is missing from a picture, a sentence each. `cutPixels` are those of the layers of first
-/// hits that show a surface they should see through.
+/// Warnings about what is missing from a picture, one sentence each. `cutPixels` is the number of
+/// pixels in first-hit layers that show a surface the ray should have passed through.
 std::vector<std::string> lossWarnings(const FilmLosses& losses, uint64_t cutPixels = 0);
 
 } // namespace calotype

@@ -8,7 +8,7 @@
 
 namespace calotype {
 
-/// A session with an empty film, adaptive if the settings are. The tracer must outlive it.
+/// A session with an empty film, adaptive if the settings say so. The tracer must outlive it.
 std::unique_ptr<Session> makeSession(BlockTracer& tracer, const RenderSettings& settings,
                                      double maxRadiance);
 

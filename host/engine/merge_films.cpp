@@ -6,7 +6,7 @@
 namespace calotype {
 namespace {
 
-/// Adds a film to those joined so far. Throws SceneError where it does not go with them.
+/// Adds a film to those joined so far. Throws SceneError if it does not fit them.
 void join(KeptFilm& joined, const std::string& path) {
     const KeptFilm next = readLabelledFilm(path);
     requireSameOrigin(path, next, joined.label, joined.film.width(), joined.film.height(),

@@ -7,8 +7,8 @@
 
 namespace calotype {
 
-/// One film of the samples of all, at least one of them. Throws SceneError where they do not go
-/// together: of another scene or other settings, or with samples that a film before it holds too.
+/// One film with the samples of all; there must be at least one. Throws SceneError if they do not
+/// fit together: another scene, other settings, or samples that a film before it also holds.
 KeptFilm mergeFilms(const std::vector<std::string>& paths);
 
 } // namespace calotype

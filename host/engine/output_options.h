@@ -10,7 +10,7 @@
 
 namespace calotype {
 
-/// When to write a preview: after so many samples, or so many seconds; 0 means never.
+/// When to write a preview: after this many samples, or this many seconds; 0 means never.
 struct PreviewInterval {
     uint32_t samples = 0;
     double seconds = 0.0;

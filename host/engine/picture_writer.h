@@ -10,15 +10,15 @@
 
 namespace calotype {
 
-/// Writes a render's pictures, in the end and on the way.
+/// Writes the pictures of a render, at the end and as previews.
 class PictureWriter {
 public:
-    /// `firstHits` are what the layers of first hits show, empty where none is wanted. The options
-    /// and the label must outlive this.
+    /// `firstHits` is the source of the first-hit layers, empty if there are none. The options and
+    /// the label must outlive this object.
     PictureWriter(const OutputOptions& options, const FilmLabel& label, FirstHitImage firstHits)
         : options_(options), label_(label), firstHits_(std::move(firstHits)) {}
 
-    /// Writes every output that can be written, then throws what went wrong first, if anything.
+    /// Writes every output that can be written, then throws the first error, if there was one.
     void writeOutputs(Session& session) const;
 
     /// Throws OutputError.

@@ -6,10 +6,10 @@
 
 namespace calotype {
 
-/// Renders in double precision on the CPU: slow, and what devices are judged by.
+/// Renders in double precision on the CPU: slow; devices are tested against it.
 class ReferenceEngine : public RenderEngine {
 public:
-    /// `scene` must outlive this.
+    /// `scene` must outlive this object.
     ReferenceEngine(const DeviceOptions& options, const Scene& scene, const EngineRequest& request,
                     StageSeconds& seconds);
 

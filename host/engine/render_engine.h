@@ -15,7 +15,7 @@
 
 namespace calotype {
 
-/// What makes a picture's samples: a Vulkan device, or the reference tracer on the CPU.
+/// Renders the samples of a picture: a Vulkan device, or the reference tracer on the CPU.
 class RenderEngine {
 public:
     virtual ~RenderEngine() = default;
@@ -25,31 +25,31 @@ public:
     /// Largest emitted radiance of any channel, W/(m^2 sr).
     virtual double maxRadiance() const = 0;
 
-    /// Only of an engine that was made for it. `onProgress` is told the share of the work done.
+    /// Needs EngineRequest::wantsFirstHits. `onProgress` is called with the share done in [0, 1].
     virtual FirstHitImage firstHits(const std::function<void(double)>& onProgress) = 0;
 
-    /// Pixels of the first hits that show what they should see through.
+    /// Pixels of the first hits that show a surface the ray should have passed through.
     virtual uint64_t cutPixels() const { return 0; }
 
     virtual DeviceInfo info() const = 0;
 
-    /// How its tree was built: "median", "sah", or "reference".
+    /// How the BVH was built: "median", "sah", or "reference".
     virtual const char* tree() const = 0;
     virtual uint64_t deviceBytes() const { return 0; }
 
-    /// Throws GpuError for what only came to light on the way.
+    /// Throws GpuError for errors that were only found during the render.
     virtual void finish() const {}
 };
 
 struct EngineRequest {
     RenderSettings settings;
     bool wantsFirstHits = false;
-    /// Told what is being done, and the share of it done in [0, 1]; may throw to end it.
+    /// Called with the current step and its share done in [0, 1]; may throw to end it.
     std::function<void(const std::string&, double)> onProgress = {};
 };
 
-/// The engine that the options name, ready to render. `scene` must outlive it; `seconds` takes the
-/// times of building, uploading and compiling. Throws GpuError and SceneError.
+/// The engine that the options name, ready to render. `scene` must outlive it. Stores the times of
+/// building, uploading and compiling in `seconds`. Throws GpuError and SceneError.
 std::unique_ptr<RenderEngine> makeEngine(const DeviceOptions& options, const Scene& scene,
                                          const EngineRequest& request, StageSeconds& seconds);
 

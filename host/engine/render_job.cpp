@@ -27,8 +27,8 @@ public:
     JobRun(Scene scene, const RenderJob& job, const RenderJobObserver& observer)
         : scene_(std::move(scene)), job_(job), observer_(observer), settings_(job.settings) {
         seconds_.load = job.loadSeconds;
-        // Films take one kind of tree whatever the number of samples, so that parts of one film
-        // agree where surfaces touch.
+        // Films always use the same kind of tree, so that parts of one film agree where surfaces
+        // coincide.
         if (job.film.keepsFilm())
             settings_.bvh = settings_.bvh.value_or(BvhBuilder::Sah);
     }
@@ -56,7 +56,7 @@ public:
         RenderOutcome outcome;
         outcome.plan = planFor(*session);
         outcome.ending = render(*session, outcome.plan, keeper, writer);
-        session->error(); // of the film as it ended, for the totals
+        session->error(); // of the final film, for the totals
         outcome.totals = session->totals();
         outcome.cutPixels = engine->cutPixels();
         seconds_.render = outcome.totals.seconds;
@@ -72,7 +72,7 @@ public:
     }
 
 private:
-    /// With the film that the keeper has, if one is kept.
+    /// Starts with the film of the keeper, if one is written.
     std::unique_ptr<Session> begin(RenderEngine& engine, FilmKeeper& keeper) {
         if (settings_.isAdaptive)
             return makeSession(engine.tracer(), settings_, engine.maxRadiance());
@@ -126,7 +126,7 @@ private:
         return session.run(observer, interval.samples, goal);
     }
 
-    /// The render is worth more than a preview of it, so it goes on where that cannot be written.
+    /// A preview that cannot be written does not end the render.
     void writePreview(const PictureWriter& writer, Session& session) const {
         try {
             writer.writePreview(session);
@@ -135,7 +135,7 @@ private:
         }
     }
 
-    /// Where one of the outputs fails, the others are written all the same.
+    /// If one of the outputs fails, the others are still written.
     void writeAll(Session& session, FilmKeeper& keeper, const PictureWriter& writer) {
         const Clock::time_point before = Clock::now();
         std::exception_ptr filmError;
@@ -156,7 +156,7 @@ private:
     const RenderJobObserver& observer_;
     RenderSettings settings_;
     StageSeconds seconds_;
-    const Film* film_ = nullptr; ///< of the session, where a film may be kept
+    const Film* film_ = nullptr; ///< of the session, if a film may be written
 };
 
 } // namespace

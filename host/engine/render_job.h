@@ -20,20 +20,20 @@ namespace calotype {
 /// A render with the files that it reads and writes.
 struct RenderJob {
     RenderSettings settings;
-    /// Whether the number of samples ends the render even where an error or a time does too.
+    /// Whether the number of samples ends the render even if an error or a time also does.
     bool limitsSamples = true;
     DeviceOptions device;
     FilmOptions film;
     OutputOptions output;
-    /// What `settings.seconds` and the time of the first sample count from.
+    /// The start time for `settings.seconds` and the time of the first sample.
     std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
-    double loadSeconds = 0.0; ///< that reading the scene took, for the statistics
+    double loadSeconds = 0.0; ///< time that reading the scene took, for the statistics
 };
 
-/// What a job reports while it runs, on the thread that called runRenderJob. No function may be
-/// empty; what they throw ends the job.
+/// Callbacks of a running job, on the thread that called runRenderJob. None may be empty. An
+/// exception from one ends the job.
 struct RenderJobObserver {
-    /// What is being prepared, and the share of it done in [0, 1].
+    /// Called with the current step and its share done in [0, 1].
     std::function<void(const std::string& what, double done)> onStep;
     std::function<void(const RenderPlan&)> onStart; ///< sampling begins
     std::function<void(const RenderTotals&)> onDispatch;
@@ -48,9 +48,9 @@ struct RenderOutcome {
     uint64_t cutPixels = 0; ///< of the layers of first hits
 };
 
-/// Renders a scene and writes every file. An output that cannot be written keeps no other from
-/// being written. Throws SettingError, SceneError, GpuError, OutputError, and
-/// Interrupted where it is stopped before the first sample.
+/// Renders a scene and writes every file. If an output cannot be written, the others still are.
+/// Throws SettingError, SceneError, GpuError, OutputError, and Interrupted if it is stopped before
+/// the first sample.
 RenderOutcome runRenderJob(Scene scene, const RenderJob& job, const RenderJobObserver& observer);
 
 } // namespace calotype

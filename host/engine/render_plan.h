@@ -5,11 +5,11 @@
 
 namespace calotype {
 
-/// What ends a render: the first of these that is reached.
+/// What ends a render: whichever of these is reached first.
 struct RenderPlan {
     uint64_t pixels = 0;
-    uint64_t samplesBefore = 0;                   ///< per pixel, that need not be rendered
-    std::optional<uint64_t> samplesPerPixel = {}; ///< those before among them
+    uint64_t samplesBefore = 0;                   ///< per pixel, from the film
+    std::optional<uint64_t> samplesPerPixel = {}; ///< including those before
     std::optional<double> targetError = {};
     std::optional<double> seconds = {}; ///< from now
 };

@@ -39,7 +39,7 @@ RenderGoal goalOf(const RenderSettings& settings, Clock::time_point start) {
     return goal;
 }
 
-/// A scene that was read from a file has a hash, and was checked then.
+/// A scene that was read from a file has a hash, and was already checked.
 Scene checked(Scene scene) {
     if (scene.hash == 0) {
         Warnings warnings;

@@ -15,13 +15,13 @@
 
 namespace calotype {
 
-/// What a render reports while it runs. Every function may be empty; they are called on the thread
-/// that called Renderer::render, and what they throw ends the render.
+/// Callbacks of a running render. Each may be empty. They are called on the thread that called
+/// Renderer::render; an exception from one ends the render.
 struct RenderCallbacks {
-    /// What is being done, such as "building the BVH" or "rendering", and the share of it done in
-    /// [0, 1]; about ten times a second.
+    /// Called about ten times a second with the current step, such as "building the BVH" or
+    /// "rendering", and its share done in [0, 1].
     std::function<void(const std::string& what, double done)> onProgress = {};
-    /// Called about ten times a second. Once it returns true the render ends, and the result holds
+    /// Called about ten times a second. If it returns true, the render ends, and the result holds
     /// the samples so far.
     std::function<bool()> shouldStop = {};
 };
@@ -31,18 +31,18 @@ enum class RenderEnd : uint8_t { AllSamples, TargetError, Time, Stopped };
 
 /// A rendered picture.
 struct RenderResult {
-    uint32_t width = 0; ///< pixels: those of RenderSettings::crop
+    uint32_t width = 0; ///< pixels: that of RenderSettings::crop
     uint32_t height = 0;
-    /// 3 * width * height floats: row by row from the top left, in each pixel red, green and blue:
-    /// linear radiance with Rec. 709 primaries, W/(m^2 sr). Finite; black where there is no sample.
+    /// 3 * width * height floats: row by row from the top left, red, green and blue of each pixel:
+    /// linear radiance with Rec. 709 primaries, W/(m^2 sr). Finite; black if there is no sample.
     std::vector<float> pixels;
-    uint64_t samplesPerPixel = 0; ///< that every pixel has; of adaptive sampling the mean
+    uint64_t samplesPerPixel = 0; ///< of every pixel; with adaptive sampling the mean
     RenderEnd end = RenderEnd::AllSamples;
     double seconds = 0.0; ///< of sampling, wall-clock time
-    /// Relative error of the picture at 95 % confidence, 0.02 for 2 %; none where the samples are
-    /// too few (below 32) or the picture is black.
+    /// Relative error of the picture at 95 % confidence, 0.02 for 2 %; none if the samples are too
+    /// few (below 32) or the picture is black.
     std::optional<double> relativeError;
-    /// False where the error rests on rare bright samples, so that light may be missing.
+    /// False if the error depends on rare bright samples, so that light may be missing.
     bool isErrorTrusted = false;
     std::vector<std::string> warnings; ///< about the scene and the samples: complete sentences
 };
@@ -54,13 +54,13 @@ struct RenderResult {
 ///     settings.samplesPerPixel = 64;
 ///     const calotype::RenderResult result = renderer.render(settings);
 ///
-/// Prints nothing, and changes nothing of the process; compiled kernels are kept in
-/// $XDG_CACHE_HOME/calotype, or else ~/.cache/calotype. One object is used by one thread at a time;
-/// several objects may be used by several threads. Errors are those of base/error.h.
+/// Prints nothing, and changes nothing in the process; compiled kernels are cached in
+/// $XDG_CACHE_HOME/calotype, or else ~/.cache/calotype. One object must be used by one thread at a
+/// time; several objects may be used by several threads. Errors are those of base/error.h.
 class Renderer {
 public:
-    /// Takes a scene that was loaded, or made in memory; the latter is checked as one from a file
-    /// is: throws SceneError. The device is opened by `render`.
+    /// `scene` was loaded, or made in memory. A scene made in memory is checked like one from a
+    /// file: throws SceneError. `render` opens the device.
     explicit Renderer(Scene scene, DeviceOptions device = {});
     ~Renderer();
     Renderer(Renderer&&) noexcept;
@@ -68,13 +68,13 @@ public:
 
     const Scene& scene() const;
 
-    /// All of the picture, with the scene's own size, samples, bounces and seed.
+    /// The whole picture, with the scene's own size, samples, bounces and seed.
     RenderSettings defaultSettings() const;
 
     /// Renders the picture. The same settings give the same pixels, bit for bit on one device,
-    /// unless a time or a stop ends the render. Throws SettingError where a setting is out of its
-    /// range, SceneError where the scene does not fit a device's arithmetic, GpuError where the
-    /// device or its driver fails, and Interrupted where it is stopped before sampling begins.
+    /// unless a time or a stop ends the render. Throws SettingError if a setting is out of its
+    /// range, SceneError if the scene exceeds the range of a device's arithmetic, GpuError if the
+    /// device or its driver fails, and Interrupted if it is stopped before sampling starts.
     RenderResult render(const RenderSettings& settings, const RenderCallbacks& callbacks = {});
 
 private:

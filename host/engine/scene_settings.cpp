@@ -74,7 +74,7 @@ TextureFilterOverride::TextureFilterOverride(Scene& scene,
     : textures_(scene.textures) {
     if (!filter)
         return;
-    before_ = textures_; // images are shared
+    before_ = textures_; // cheap: images are shared
     for (Texture& texture : textures_)
         if (auto* image = std::get_if<ImageTexture>(&texture.source))
             image->filter = *filter;

@@ -9,21 +9,20 @@
 
 namespace calotype {
 
-/// All of the picture, with the scene's own size, samples, bounces and seed, and the defaults for
-/// the rest.
+/// The whole picture, with the scene's own size, samples, bounces and seed, and defaults for the
+/// rest.
 RenderSettings defaultSettings(const Scene& scene);
 
-/// Throws SettingError where the device cannot do what a setting says, whatever the scene.
+/// Throws SettingError if the device does not support a setting, for any scene.
 void requireKnownTo(const DeviceOptions& device, const RenderSettings& settings);
 
-/// Throws SettingError where a setting is out of its range, or does not go with the others or the
-/// device.
+/// Throws SettingError if a setting is out of its range, or does not fit the others or the device.
 void requireRenderable(const RenderSettings& settings, const DeviceOptions& device);
 
-/// Gives all textures of a scene one filter, if there is one; takes it back in the end.
+/// Sets one filter for all textures of a scene, if one is given; the destructor restores them.
 class TextureFilterOverride {
 public:
-    /// The scene must outlive this.
+    /// The scene must outlive this object.
     TextureFilterOverride(Scene& scene, const std::optional<TextureFilter>& filter);
     ~TextureFilterOverride();
     TextureFilterOverride(const TextureFilterOverride&) = delete;
@@ -31,7 +30,7 @@ public:
 
 private:
     std::vector<Texture>& textures_;
-    std::vector<Texture> before_; ///< empty where nothing was changed
+    std::vector<Texture> before_; ///< empty if nothing was changed
 };
 
 } // namespace calotype

@@ -13,7 +13,7 @@
 
 namespace calotype {
 
-/// What a scene holds once it is compiled.
+/// Facts about a compiled scene.
 struct SceneSummary {
     size_t shapes = 0;
     size_t triangles = 0;
@@ -22,14 +22,14 @@ struct SceneSummary {
     size_t textures = 0;
     uint64_t textureBytes = 0; ///< on the device
     uint32_t lights = 0;
-    uint64_t droppedTriangles = 0; ///< without area
+    uint64_t droppedTriangles = 0; ///< metres; empty if no shape has an extent
     Bounds3d bounds;               ///< metres; empty where nothing has an extent
 
     BvhBuilder builder = BvhBuilder::Sah;
     size_t nodes = 0;
     double childrenPerNode = 0.0;
     uint32_t depth = 0;
-    uint32_t mostDepth = 0; ///< that traversal has room for
+    uint32_t mostDepth = 0; ///< limit of the traversal
     size_t leaves = 0;
     double primitivesPerLeaf = 0.0;
     double nodesVisited = 0.0; ///< by a ray, on average
@@ -41,13 +41,13 @@ struct SceneSummary {
     uint64_t largestBytes = 0; ///< in one buffer
 };
 
-/// What a device has for it.
+/// What a device offers for a scene.
 struct DeviceFit {
     std::string device;        ///< its name
     std::string reason;        ///< why it was chosen
-    uint64_t pictureBytes = 0; ///< that a picture of these settings takes beside the scene
+    uint64_t pictureBytes = 0; ///< of a picture with these settings, without the scene
     uint64_t memoryBytes = 0;  ///< of the device
-    uint64_t bufferBytes = 0;  ///< the most in one buffer
+    uint64_t bufferBytes = 0;  ///< limit of one buffer
 };
 
 /// Compiles the scene for a picture of these settings. Throws SceneError.

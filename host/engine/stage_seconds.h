@@ -9,7 +9,7 @@ namespace calotype {
 /// Wall-clock seconds of each stage of a render.
 struct StageSeconds {
     double load = 0.0;
-    double build = 0.0; ///< of the BVH, and packing
+    double build = 0.0; ///< of the BVH, including packing
     double upload = 0.0;
     double compile = 0.0;
     double firstSample = 0.0; ///< from the start of the program until every pixel had one sample
@@ -17,7 +17,7 @@ struct StageSeconds {
     double write = 0.0;
 };
 
-/// Runs `stage`, stores how many seconds of wall-clock time it took, and returns what it returns.
+/// Runs `stage`, stores its wall-clock seconds, and returns its result.
 template <typename Stage>
 auto timed(double& seconds, Stage&& stage) {
     const auto start = std::chrono::steady_clock::now();

@@ -42,7 +42,7 @@ nlohmann::ordered_json describeError(const std::optional<ErrorEstimate>& error) 
 uint64_t peakMemoryBytes() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
-    return static_cast<uint64_t>(usage.ru_maxrss) * 1024; // Linux counts kibibytes
+    return static_cast<uint64_t>(usage.ru_maxrss) * 1024; // in units of KiB on Linux
 }
 
 std::string toJson(const RenderStatistics& statistics) {

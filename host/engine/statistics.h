@@ -13,7 +13,7 @@
 
 namespace calotype {
 
-/// What is told of a render in numbers.
+/// The data of a render for its statistics file.
 struct RenderStatistics {
     DeviceInfo device;
     RenderSettings settings;
@@ -25,7 +25,7 @@ struct RenderStatistics {
     const char* tree = ""; ///< RenderEngine::tree
 };
 
-/// The estimate's numbers, or null where there is none.
+/// The numbers of the estimate, or null if there is none.
 nlohmann::ordered_json describeError(const std::optional<ErrorEstimate>& error);
 
 /// Of the process so far.

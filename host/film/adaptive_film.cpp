@@ -49,7 +49,7 @@ void AdaptiveFilm::addBlock(uint32_t block, std::span<const glm::vec4> blockSums
     }
 }
 
-/// All replicas of the half have the same number of samples in the pixel.
+/// All replicas of the half must have the same number of samples in the pixel.
 void AdaptiveFilm::recordSurvey(uint32_t half, size_t pixel) {
     const auto level =
         static_cast<uint32_t>(std::countr_zero(halves_[half].blocks[pixel] / kFirstSurveyBlocks));

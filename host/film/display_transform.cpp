@@ -18,7 +18,7 @@ float maxChannel(const glm::vec3& c) { return glm::max(c.r, glm::max(c.g, c.b));
 /// Toe: c -= x - 6.25 x^2 for x < 0.08, else 0.04, which undoes the Fresnel reflection of F0 =
 /// 0.04.
 ///
-/// Shoulder: for p >= s, n = 1 - d^2 / (p + d - s) and c *= n / p: p goes to n, which nears 1.
+/// Shoulder: for p >= s, n = 1 - d^2 / (p + d - s) and c *= n / p: p becomes n, which approaches 1.
 ///
 /// Bleach: c is mixed with white n by 1 - 1 / (0.15 (p - n) + 1).
 ///

@@ -17,7 +17,7 @@ enum class ToneMap {
     Reinhard, ///< c / (1 + max(c)): never clips, keeps every hue, flatter contrast
 };
 
-/// The names that toneMapFromName knows, for messages.
+/// The names that toneMapFromName accepts, for messages.
 inline constexpr std::string_view kToneMapNames = "none, neutral or reinhard";
 
 /// The tone map of that name; none if there is no such name.
@@ -26,7 +26,7 @@ std::optional<ToneMap> toneMapFromName(std::string_view name);
 /// Maps finite, non-negative linear Rec. 709 RGB into [0, 1].
 glm::vec3 applyToneMap(ToneMap toneMap, glm::vec3 color);
 
-/// From radiance to what a display shows.
+/// Converts radiance to display values.
 struct DisplayTransform {
     float exposureStops = 0.0f; ///< radiance is multiplied by 2^stops
     ToneMap toneMap = ToneMap::None;

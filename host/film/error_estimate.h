@@ -9,7 +9,7 @@
 
 namespace calotype {
 
-/// How far a picture may be from what it would become with endless samples: one number, from the
+/// The distance of a picture from its limit with infinitely many samples: one number, from the
 /// spread of the film's replicas about their mean.
 ///
 /// With L a pixel's luminance, v the estimated variance of L, and mean over all pixels:
@@ -24,12 +24,12 @@ struct ErrorEstimate {
     double uncertainty = 0.0;
     /// The factor by which `relative` grows when each replica's deviation is divided by the mean
     /// luminance of the other replicas instead of L: near 1 where the replicas agree, large where
-    /// most of a pixel's light comes from rare samples. Only known if all replicas have samples.
+    /// most of a pixel's light comes from rare samples. Present only if all replicas have samples.
     std::optional<double> doubt;
     uint32_t replicas = 0; ///< that hold samples
 
-    /// False where the estimate depends on rare bright samples, so that light may be missing
-    /// altogether, or where the replicas are too few to know that.
+    /// False if the estimate depends on rare bright samples, so that light may be missing
+    /// altogether, or if the replicas are too few to decide this.
     bool isTrusted() const;
 
     /// An upper bound of what `relative` would be if v had no noise, wrong with a probability of
@@ -42,7 +42,7 @@ struct ErrorEstimate {
 double relativeShare(double variance, double luminance, double meanLuminance);
 double relativeError(double meanShare);
 
-/// None of a film that holds fewer than two replicas (of an adaptive film, in each half of each
+/// None for a film that holds fewer than two replicas (an adaptive film: in each half of each
 /// pixel), or is black, so that light may be missing.
 std::optional<ErrorEstimate> estimateError(const Film& film);
 std::optional<ErrorEstimate> estimateError(const AdaptiveFilm& film);

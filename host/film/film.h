@@ -21,30 +21,30 @@ namespace calotype {
 /// radiance, a finite number >= 0; kept within 2^-126 and 2^127, and 1 for a scene without light.
 double filmUnit(double maxRadiance);
 
-/// What of a film's samples is missing or wrong.
+/// Samples of a film that are missing or wrong.
 struct FilmLosses {
     uint64_t nonFiniteSamples = 0; ///< samples that count as black
-    uint64_t cutPaths = 0;         ///< ended by the loop budget of one dispatch
-    uint64_t nonFinitePixels = 0;  ///< of blocks: left out, counted as black
-    uint64_t overflowedPixels = 0; ///< likewise, for being too bright
+    uint64_t cutPaths = 0;         ///< ended by the loop budget of one dispatch: too dark
+    uint64_t nonFinitePixels = 0;  ///< of blocks: not finite, counted as black
+    uint64_t overflowedPixels = 0; ///< of blocks: too bright, counted as black
 
     uint64_t lostPixels() const { return nonFinitePixels + overflowedPixels; }
     FilmLosses& operator+=(const FilmLosses& other);
     bool operator==(const FilmLosses&) const = default;
 };
 
-/// The samples of a picture so far, summed per pixel and channel in fixed point of 128 bits, of
-/// which 64 lie below one unit; and the luminance of each replica apart. Films are therefore bit
-/// for bit the same whatever the order in which their blocks came, and no sum stagnates.
+/// The samples of a picture so far, summed per pixel and channel in fixed point of 128 bits, 64 of
+/// them below one unit; also the luminance of each replica. So films are bit for bit the same
+/// whatever the order of their blocks, and large sums lose no small terms.
 ///
-/// The first three channels are R, G and B, radiance in W/(m^2 sr); their unit is that of the film.
-/// A film can have more, the means of other quantities over the same samples; their unit is 1.
+/// The first three channels are R, G and B, radiance in W/(m^2 sr), in the film's unit. A film can
+/// have more: the means of other quantities over the same samples, in units of 1.
 ///
-/// Block b holds the samples of absolute indices from 16 b on, and belongs to replica b mod 8: of
-/// shared::kSamplesPerBlock and shared::kReplicas. Replicas are independent of each other.
+/// Block b holds the samples of absolute indices from 16 b on, and belongs to replica b mod 8
+/// (shared::kSamplesPerBlock and shared::kReplicas). Replicas are independent of each other.
 ///
-/// Range: a sum of one block enters exactly from 2^-41 units up, and to within 2^-65 units below;
-/// it stays below 2^40 units, and a film's sum below 2^63 units, so 2^23 blocks fit.
+/// Range: the sum of one block is added exactly from 2^-41 units up, and to within 2^-65 units
+/// below; it must be below 2^40 units. A film's sum must be below 2^63 units, so 2^23 blocks fit.
 class Film {
 public:
     static constexpr uint64_t kMaxBlocks = uint64_t{1} << 23;
@@ -64,27 +64,27 @@ public:
     /// `others` are the names of its channels beside R, G and B.
     Film(uint32_t width, uint32_t height, double unit, const std::vector<std::string>& others = {});
 
-    /// A film as it was kept; the sums are of its size.
+    /// A film that was written before; the sums must have its size.
     Film(uint32_t width, uint32_t height, double unit, Sums sums,
          const std::vector<std::string>& others = {});
 
-    /// Adds a whole block that it does not hold: per pixel, row by row, the sum of r, g, b over
+    /// Adds a whole block that it does not hold yet: per pixel, row by row, the sum of r, g, b over
     /// shared::kSamplesPerBlock samples, and that number in w. A pixel whose sum is not finite, or
-    /// from 2^40 units up, adds nothing, stays in the count of samples, and is among the losses,
-    /// as are those which `losses` reports of the block's samples. `otherSums` are those of the
-    /// other channels, all of the first pixel, all of the second, ...; one that is not finite, or
-    /// from 2^40 up, adds nothing.
+    /// is 2^40 units or more, adds nothing, but its samples count; it is added to the losses, and
+    /// so are the `losses` of the block's samples. `otherSums` are those of the other channels, all
+    /// of the first pixel, all of the second, ...; one that is not finite, or is 2^40 or more, adds
+    /// nothing.
     void addBlock(uint32_t block, std::span<const glm::vec4> blockSums,
                   const FilmLosses& losses = {}, std::span<const float> otherSums = {});
 
     /// Adds a film of the same size, unit and channels that holds none of the same blocks.
     void add(const Film& other);
 
-    /// Mean radiance per pixel; black where there is no sample. `partialBlock`, if not empty, is
-    /// like a block, but with any number of samples in each pixel: it shows in the picture only.
+    /// Mean radiance per pixel; black if there is no sample. `partialBlock`, if not empty, is like
+    /// a block, but with any number of samples in each pixel: it is in the picture only.
     Image picture(std::span<const glm::vec4> partialBlock = {}) const;
 
-    /// Mean of a channel per pixel, over whole blocks; 0 where there is no sample.
+    /// Mean of a channel per pixel, over whole blocks; 0 if there is no sample.
     std::vector<float> mean(size_t channel) const;
 
     uint32_t width() const { return width_; }
@@ -98,7 +98,7 @@ public:
     const FilmLosses& losses() const { return sums_.losses; }
     uint64_t samplesPerPixel() const;
 
-    /// Of the samples per pixel, those of one replica.
+    /// The number of samples per pixel of one replica.
     uint64_t samplesOfReplica(uint32_t replica) const;
 
     /// Sum of a pixel's luminance over the samples of a replica, W/(m^2 sr).
@@ -114,13 +114,13 @@ private:
     Sums sums_;
 };
 
-/// What a pixel's sum of a block adds to a film, in units.
+/// The contribution of a pixel's block sum to a film, in units.
 struct FilmTerm {
     FixedColor color;
     FixedPoint luminance = 0;
 };
 
-/// None where the sum is not finite or out of a film's range: then it is counted among `losses`.
+/// None if the sum is not finite or out of a film's range: then it is counted in `losses`.
 std::optional<FilmTerm> toFilmTerm(const glm::vec4& blockSum, double unit, FilmLosses& losses);
 
 } // namespace calotype

@@ -138,7 +138,7 @@ Json describe(const FilmLabel& label, const Film& film, const std::vector<std::s
     return description;
 }
 
-/// Throws where `number` is no integer from `least` to `most`.
+/// Throws if `number` is not an integer from `least` to `most`.
 template <typename Number>
 Number numberIn(const Json& number, Number least, Number most) {
     const bool isInRange = number.is_number_unsigned()
@@ -152,7 +152,7 @@ Number numberIn(const Json& number, Number least, Number most) {
     return number.get<Number>();
 }
 
-/// Throws where the ranges are not as writeFilm writes them.
+/// Throws if the ranges do not have the form that writeFilm writes.
 BlockRanges readBlocks(const Json& description) {
     BlockRanges blocks;
     uint32_t end = 0;
@@ -175,7 +175,7 @@ std::vector<std::string> readOtherChannels(const Json& description) {
     return channels;
 }
 
-/// Throws where the description and the chunks do not fit each other.
+/// Throws if the description and the chunks do not fit each other.
 KeptFilm readParts(const Json& description, std::string_view compressed, uint32_t version) {
     const auto width = numberIn<uint32_t>(description.at("width"), 1, kLargestPictureSide);
     const auto height = numberIn<uint32_t>(description.at("height"), 1, kLargestPictureSide);

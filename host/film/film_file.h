@@ -11,7 +11,7 @@
 
 namespace calotype {
 
-/// What a film shows, and how it was rendered.
+/// The origin of a film: its scene and how it was rendered.
 struct FilmLabel {
     uint64_t sceneHash = 0;
     /// The settings on which the samples depend, by name: size of the whole picture, place of the
@@ -28,21 +28,20 @@ struct KeptFilm {
     Film film;
 };
 
-/// Keeps a film in a file, whole at every moment. The same samples by the same devices are the same
-/// bytes, in whatever order they were added. A film of R, G and B alone is of version 1 of the
-/// format, one with more channels of version 2. Throws OutputError.
+/// Writes a film to a file, atomically. The same samples by the same devices give the same bytes,
+/// in whatever order they were added. A film of R, G and B alone has version 1 of the format, one
+/// with more channels version 2. Throws OutputError.
 void writeFilm(const std::filesystem::path& path, const FilmLabel& label, const Film& film);
 
 /// Throws SceneError with the path and the problem: a file that cannot be read, is not a film, has
-/// an unknown version, is cut off, or whose checksum is not that of its contents.
+/// an unknown version, is cut off, or does not match its checksum.
 KeptFilm readFilm(const std::filesystem::path& path);
 
 /// Whether the file begins with the signature of films.
 bool isFilm(const std::filesystem::path& path);
 
-/// Throws SceneError at the path of `film` where it is of another scene, of other settings, of
-/// another size in pixels, in another unit, or of other channels than what it is to join: the
-/// message says in what they differ.
+/// Throws SceneError with the path of `film` if the two films differ in scene, settings, size in
+/// pixels, unit or channels, so that they cannot be joined; the message names the difference.
 void requireSameOrigin(const std::filesystem::path& path, const KeptFilm& film,
                        const FilmLabel& label, uint32_t width, uint32_t height, double unit,
                        const std::vector<std::string>& channels = {"R", "G", "B"});

@@ -7,7 +7,7 @@
 
 namespace calotype {
 
-/// A signed number with 64 bits after the point, in (-2^63, 2^63). Addition is exact and commutes.
+/// A signed number with 64 bits after the point, in (-2^63, 2^63). Addition is exact.
 using FixedPoint = __int128;
 
 /// The largest magnitude that toFixedPoint takes: 2^23 terms below it fit in a sum.

@@ -7,9 +7,9 @@
 
 namespace calotype {
 
-/// Writes a picture in the format that the extension of `path` names (image/image_format.h), whole
-/// at every moment: PNG holds its colour through `transform`, PFM its colour as it is, EXR all of
-/// it. Throws OutputError, also for an extension that is not known.
+/// Writes a picture, atomically, in the format of the extension of `path` (image/image_format.h):
+/// PNG holds the colour through `transform`, PFM the colour as it is, EXR everything. Throws
+/// OutputError, also for an unknown extension.
 void writePicture(const std::filesystem::path& path, const Picture& picture,
                   const DisplayTransform& transform);
 

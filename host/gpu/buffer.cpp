@@ -21,7 +21,7 @@ std::span<const std::byte> checkRows(const Device& device, std::span<const std::
     return contents;
 }
 
-/// Makes what was copied visible to the kernels of later submissions, and to the host.
+/// Makes copied data visible to the kernels of later submissions, and to the host.
 void showWritten(const vk::raii::CommandBuffer& commands) {
     using Access = vk::AccessFlagBits;
     const vk::MemoryBarrier barrier(Access::eTransferWrite,
@@ -51,8 +51,8 @@ Buffer::Buffer(const Device& device, size_t bytes, vk::BufferUsageFlags usage, M
         const bool isCpu = device.info().type == "CPU";
         if (memory == Memory::Host || (isCpu && (device.memoryFlags(type) & mappable) == mappable))
             mapped_ = memory_.mapMemory(0, VK_WHOLE_SIZE);
-        // A CPU's kernels read scenes at random: translating addresses page by page would take a
-        // seventh of their time.
+        // The kernels of a CPU read scenes at random: without huge pages, address translation takes
+        // a seventh of their time.
         if (memory == Memory::Device && mapped_)
             adviseHugePages(mapped_, requirements.size);
     });

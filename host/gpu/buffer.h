@@ -13,8 +13,8 @@ namespace calotype {
 class Buffer {
 public:
     enum class Memory {
-        Device, ///< fast for kernels; mapped where the device is a CPU, else reached by copies
-        Host,   ///< mapped for good, coherent
+        Device, ///< fast for kernels; mapped if the device is a CPU, else accessed by copies
+        Host,   ///< always mapped, coherent
     };
 
     Buffer(const Device& device, size_t bytes, vk::BufferUsageFlags usage, Memory memory,
@@ -23,7 +23,7 @@ public:
     vk::Buffer handle() const { return *buffer_; }
     size_t bytes() const { return bytes_; }
 
-    /// The buffer's contents; empty where they are not mapped.
+    /// The buffer's contents; empty if it is not mapped.
     template <typename T>
     std::span<T> mapped() const {
         return {static_cast<T*>(mapped_), mapped_ ? bytes_ / sizeof(T) : 0};
@@ -31,7 +31,7 @@ public:
 
 private:
     size_t bytes_;
-    vk::raii::DeviceMemory memory_ = nullptr; // freed after the buffer
+    vk::raii::DeviceMemory memory_ = nullptr; // destroyed after the buffer
     vk::raii::Buffer buffer_ = nullptr;
     void* mapped_ = nullptr;
 };
@@ -40,22 +40,22 @@ private:
 Buffer uploadBuffer(const Device& device, std::span<const std::byte> contents,
                     vk::BufferUsageFlags usage, const std::string& name);
 
-/// Overwrites the start of a buffer on the device, a transfer's destination.
+/// Overwrites the start of a buffer on the device; the buffer must be a transfer destination.
 void overwrite(const Device& device, std::span<const std::byte> contents, const Buffer& buffer);
 
-/// Copies to the start of a buffer that is a transfer's destination, through a mapped one of at
-/// most `stagingBytes`: what overwrite does where the device's memory is not mapped.
+/// Copies to the start of a buffer, a transfer destination, through a mapped buffer of at most
+/// `stagingBytes`. overwrite does this if the device's memory is not mapped.
 void copyByStaging(const Device& device, std::span<const std::byte> contents, const Buffer& buffer,
                    size_t stagingBytes = size_t{64} << 20);
 
-/// A storage buffer on the device, all zeros, for kernels alone.
+/// A storage buffer on the device, all zeros, not accessed by the host.
 Buffer zeroedBuffer(const Device& device, size_t bytes, const std::string& name);
 
-/// Makes a zeroedBuffer all zeros again.
+/// Sets a zeroedBuffer to zero again.
 void clear(const Device& device, const Buffer& buffer);
 
-/// Rows of 16 bytes for kernels to fetch. Throws GpuError, naming the limit, where there are more
-/// than the device can address.
+/// Rows of 16 bytes that kernels fetch. Throws GpuError with the limit if there are more than the
+/// device can address.
 class TexelBuffer {
 public:
     TexelBuffer(const Device& device, std::span<const std::byte> contents, const std::string& name);

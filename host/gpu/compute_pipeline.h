@@ -35,12 +35,12 @@ struct ComputePipelineInfo {
     uint32_t pushConstantBytes = 0;
 };
 
-/// One kernel with its resources bound for good.
+/// One kernel with its resources, which are bound permanently.
 class ComputePipeline {
 public:
     ComputePipeline(const Device& device, const ComputePipelineInfo& info);
 
-    /// Runs `groups` workgroups and waits for them; what they wrote is then visible to the host.
+    /// Runs `groups` workgroups and waits for them; then their results are visible to the host.
     void run(const Device& device, uint32_t groups,
              std::span<const std::byte> pushConstants = {}) const;
 

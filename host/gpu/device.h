@@ -15,7 +15,7 @@ namespace calotype {
 /// A logical device with one compute queue, used by one thread at a time.
 class Device {
 public:
-    /// Throws GpuError where chooseDevice does, or where the driver fails.
+    /// Throws GpuError like chooseDevice, or if the driver fails.
     Device(const Instance& instance, std::string_view wish, std::string_view askedBy = "");
 
     const vk::raii::Device& handle() const { return device_; }
@@ -31,7 +31,7 @@ public:
     /// Index of a memory type among `allowed` (a bit mask) with all of `wanted`. Throws GpuError.
     uint32_t memoryType(uint32_t allowed, vk::MemoryPropertyFlags wanted) const;
 
-    /// What memory of a type is like.
+    /// The properties of a memory type.
     vk::MemoryPropertyFlags memoryFlags(uint32_t type) const {
         return memory_.memoryTypes[type].propertyFlags;
     }

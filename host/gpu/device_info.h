@@ -5,7 +5,7 @@
 
 namespace calotype {
 
-/// A physical device as a person would want to know it.
+/// A physical device, as shown to users.
 struct DeviceInfo {
     uint32_t index = 0; ///< in the order of the driver loader
     std::string name;
@@ -13,7 +13,7 @@ struct DeviceInfo {
     std::string driver;     ///< name and version
     std::string apiVersion; ///< Vulkan's, such as "1.3.230"
     uint32_t subgroupSize = 1;
-    std::string missing; ///< what it lacks to run Calotype; empty where it can
+    std::string missing; ///< the first missing requirement; empty if the device can run Calotype
     int rank = 0;        ///< by type: a higher rank is preferred
 };
 

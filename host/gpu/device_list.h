@@ -10,9 +10,9 @@ namespace calotype {
 
 std::vector<DeviceInfo> listDevices(const Instance& instance);
 
-/// Picks a device: by `wish` (an index, or part of a name in any case) if it is not empty,
-/// otherwise the highest rank, the first of equals. `askedBy` is put before the wish in messages,
-/// such as "--device". Throws GpuError, naming the devices there are, where nothing fits.
+/// Chooses a device: by `wish` (an index, or part of a name, ignoring case) if it is not empty,
+/// otherwise the first with the highest rank. Messages name `askedBy` as the source of the wish,
+/// such as "--device". Throws GpuError with the list of devices if none fits.
 DeviceChoice chooseDevice(const std::vector<DeviceInfo>& devices, std::string_view wish,
                           std::string_view askedBy = "");
 

@@ -12,8 +12,8 @@ namespace calotype {
 /// The connection to Vulkan.
 class Instance {
 public:
-    /// With `validates` the Khronos validation layer checks every call; its messages are kept, not
-    /// printed. Throws GpuError where there is no Vulkan 1.2 loader, or no such layer.
+    /// With `validates` the Khronos validation layer checks every call; its messages are stored,
+    /// not printed. Throws GpuError if there is no Vulkan 1.2 loader, or no such layer.
     explicit Instance(bool validates = false);
 
     const vk::raii::Instance& handle() const { return instance_; }
@@ -31,7 +31,7 @@ private:
         VkDebugUtilsMessageSeverityFlagBitsEXT severity, VkDebugUtilsMessageTypeFlagsEXT types,
         const VkDebugUtilsMessengerCallbackDataEXT* data, void* log);
 
-    std::unique_ptr<MessageLog> log_; // outlives the messenger that points to it
+    std::unique_ptr<MessageLog> log_; // outlives the messenger, which has a pointer to it
     vk::raii::Context context_;
     vk::raii::Instance instance_ = nullptr;
     vk::raii::DebugUtilsMessengerEXT messenger_ = nullptr;

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Empty where the environment names none.
+/// Empty if the environment names none.
 fs::path cacheFolder() {
     if (const char* folder = std::getenv("XDG_CACHE_HOME"); folder && *folder)
         return fs::path(folder) / "calotype";
@@ -28,7 +28,7 @@ fs::path cacheFolder() {
     return {};
 }
 
-/// By device, driver, and the driver's own name for its format.
+/// The name depends on the device, the driver, and the driver's own identifier for its format.
 fs::path fileFor(const vk::PhysicalDeviceProperties& properties) {
     const fs::path folder = cacheFolder();
     if (folder.empty())
@@ -50,8 +50,8 @@ uint64_t hashOf(std::span<const uint8_t> bytes) {
     return hash.value();
 }
 
-/// What follows the hash of it; nothing where the file is missing or damaged, since drivers need
-/// not survive what they did not write.
+/// The contents of the file after their hash; empty if the file is missing or damaged, because
+/// drivers may crash on data that they did not write.
 std::vector<uint8_t> readCache(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
     const std::vector<char> bytes(std::istreambuf_iterator<char>(file), {});
@@ -96,7 +96,7 @@ void PipelineCache::store() {
         writeFileAtomically(file_, bytes);
         storedBytes_ = data.size();
     } catch (const OutputError&) {
-        file_.clear(); // it can be done without
+        file_.clear(); // works without a file
     }
 }
 

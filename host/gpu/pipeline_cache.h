@@ -6,16 +6,16 @@
 
 namespace calotype {
 
-/// Compiled kernels, kept on disk from one run to the next: in $XDG_CACHE_HOME/calotype or
-/// ~/.cache/calotype, a file for each device and driver. Where there is no such folder, or its file
-/// is damaged, kernels are compiled anew: nothing fails for it.
+/// Compiled kernels, stored on disk for later runs: in $XDG_CACHE_HOME/calotype or
+/// ~/.cache/calotype, one file for each device and driver. If there is no such folder, or the file
+/// is damaged, kernels are compiled again; that is not an error.
 class PipelineCache {
 public:
     PipelineCache(const vk::PhysicalDeviceProperties& properties, const vk::raii::Device& device);
 
     const vk::raii::PipelineCache& handle() const { return cache_; }
 
-    /// Writes the file if there is more to keep than it holds.
+    /// Writes the file if the cache has more than it.
     void store();
 
 private:

@@ -8,11 +8,11 @@
 
 namespace calotype {
 
-/// A two-dimensional image of four 32-bit floats a pixel, which kernels read and write. It stays in
-/// the layout "general".
+/// A two-dimensional image of four 32-bit floats per pixel, which kernels read and write. Its
+/// layout is always "general".
 class StorageImage {
 public:
-    /// Throws GpuError, naming the limit, where the device has no images of this size.
+    /// Throws GpuError with the limit if the device does not support this size.
     StorageImage(const Device& device, uint32_t width, uint32_t height, const std::string& name);
 
     uint32_t width() const { return extent_.width; }
@@ -31,7 +31,7 @@ public:
 
 private:
     vk::Extent3D extent_;
-    vk::raii::DeviceMemory memory_ = nullptr; // freed after the image
+    vk::raii::DeviceMemory memory_ = nullptr; // destroyed after the image
     vk::raii::Image image_ = nullptr;
     vk::raii::ImageView view_ = nullptr;
 };

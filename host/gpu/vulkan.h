@@ -9,8 +9,8 @@
 
 namespace calotype {
 
-/// Runs `call` and turns a failure of the driver into a GpuError that names the Vulkan function and
-/// its result.
+/// Runs `call`. If the driver fails, throws a GpuError that names the Vulkan function and its
+/// result.
 template <typename Call>
 decltype(auto) callVulkan(Call&& call) {
     try {

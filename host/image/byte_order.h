@@ -6,7 +6,7 @@
 
 namespace calotype {
 
-/// Unsigned numbers in the bytes of a file. `at` and what follows must lie within `bytes`.
+/// Unsigned numbers in the bytes of a file. The number at `at` must lie within `bytes`.
 inline uint32_t byteAt(std::string_view bytes, size_t at) {
     return static_cast<unsigned char>(bytes[at]);
 }

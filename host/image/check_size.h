@@ -13,7 +13,7 @@ struct ImageSize {
     uint32_t height = 0;
 };
 
-/// Throws SceneError at `where` unless both sides lie in [1, largestSide].
+/// Throws SceneError at `where` unless both sides are in [1, largestSide].
 inline void checkSize(const ImageSize& size, uint32_t largestSide, const std::string& where) {
     if (size.width == 0 || size.height == 0)
         throw SceneError(where, "the image has no pixels");

@@ -35,7 +35,7 @@ struct Sums {
     double relativeSquaredError = 0.0;
 };
 
-/// Adds one finite pixel of each picture.
+/// Adds one pixel of each picture; both must be finite.
 void add(Sums& sums, const glm::dvec3& a, const glm::dvec3& b) {
     const glm::dvec3 error = a - b;
     sums.error += error;

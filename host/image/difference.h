@@ -9,7 +9,7 @@
 
 namespace calotype {
 
-/// The largest |A - B| of any channel of any pixel; the first in reading order.
+/// The largest |A - B| of any channel of any pixel; if several are equal, the first row by row.
 struct LargestDifference {
     double magnitude = 0.0;
     uint32_t x = 0;  ///< from the left
@@ -17,35 +17,35 @@ struct LargestDifference {
     int channel = 0; ///< 0 red, 1 green, 2 blue
 };
 
-/// How far picture A is from picture B, the reference: over the pixels that are finite in both.
+/// The difference of picture A from picture B, the reference, over pixels that are finite in both.
 struct ImageDifference {
     uint64_t infiniteInA = 0; ///< pixels with an infinite channel
     uint64_t infiniteInB = 0;
-    uint64_t leftOut = 0; ///< pixels infinite in A or B; all that follows is without them
+    uint64_t leftOut = 0; ///< pixels infinite in A or B; the values below ignore them
 
     glm::dvec3 meanError{0.0}; ///< mean of A - B by channel
     double rmse = 0.0;         ///< root of the mean of (A - B)^2 over pixels and channels
-    double relativeMse = 0.0;  ///< mean of relativeSquaredError, likewise
-    double peak = 0.0;         ///< the largest value of B; 0 where none is positive
+    double relativeMse = 0.0;  ///< mean of relativeSquaredError over pixels and channels
+    double peak = 0.0;         ///< the largest value of B; 0 if none is positive
     LargestDifference largest;
 
-    /// Pixels that are infinite in one of the pictures only.
+    /// The number of pixels that are infinite in exactly one picture.
     uint64_t infiniteInOne() const { return 2 * leftOut - infiniteInA - infiniteInB; }
-    /// 10 log10(peak^2 / rmse^2) in dB: infinite where A equals B, else minus infinity for a peak
-    /// of 0.
+    /// 10 log10(peak^2 / rmse^2) in dB: infinite if A equals B, else minus infinity for a peak of
+    /// 0.
     double psnr() const;
 };
 
-/// Throws SceneError at one of the pictures unless both have the same size, no pixel has a NaN, and
-/// some pixel is finite in both. `nameA` and `nameB` are the files' names.
+/// Throws SceneError, with the name of one picture, unless both have the same size, no pixel has a
+/// NaN, and some pixel is finite in both. `nameA` and `nameB` are the files' names.
 void requireComparable(const Image& a, const std::string& nameA, const Image& b,
                        const std::string& nameB);
 
-/// For two pictures that requireComparable accepts.
+/// For two pictures that pass requireComparable.
 ImageDifference measureDifference(const Image& a, const Image& b);
 
-/// (a - b)^2 / (b^2 + 0.01): the squared error of a channel relative to the reference, with a floor
-/// that keeps dark pixels from dominating.
+/// (a - b)^2 / (b^2 + 0.01): the squared error of a channel relative to the reference; the constant
+/// limits the weight of dark pixels.
 double relativeSquaredError(double a, double b);
 
 /// Whether no channel is infinite or NaN.

@@ -4,7 +4,7 @@
 
 namespace calotype {
 
-/// What the colours of a difference picture stand for: falseColor of the logarithm of the relative
+/// The colour scale of a difference picture: falseColor of the logarithm of the relative
 /// difference.
 struct DifferenceScale {
     static constexpr double kLeast = 1e-4; ///< falseColor(0)
@@ -13,9 +13,9 @@ struct DifferenceScale {
     static constexpr glm::u8vec3 kInfinite{0, 255, 255}; ///< the pixel is infinite in A or B
 };
 
-/// Where A differs from B, the reference, both of one size and without NaN. The relative difference
-/// of a pixel is the root of the mean of its channels' relativeSquaredError; so the mean of its
-/// square over the picture is the relative MSE.
+/// A picture of the differences of A from B, the reference; both have one size and no NaN. The
+/// relative difference of a pixel is the root of the mean of its channels' relativeSquaredError; so
+/// the mean of its square over the picture is the relative MSE.
 Rgb8Image differencePicture(const Image& a, const Image& b);
 
 } // namespace calotype

@@ -32,7 +32,7 @@ namespace {
 
 constexpr const char* kColorNames[] = {"R", "G", "B"};
 
-/// A file in memory: OpenEXR goes back to fill in its table of offsets.
+/// A file in memory: OpenEXR seeks back to write its table of offsets.
 class MemoryStream : public Imf::OStream {
 public:
     MemoryStream() : Imf::OStream("memory") {}
@@ -97,7 +97,7 @@ Imf::Header describe(const Picture& picture) {
     return header;
 }
 
-/// Tells OpenEXR where the pixels of a picture lie; its rows are those of the data window.
+/// Describes the picture's memory to OpenEXR; the picture has the rows of the data window.
 Imf::FrameBuffer frameBuffer(Picture& picture, const Imath::Box2i& dataWindow) {
     Image& image = picture.color;
     Imf::FrameBuffer buffer;
@@ -117,7 +117,7 @@ Imf::FrameBuffer frameBuffer(Picture& picture, const Imath::Box2i& dataWindow) {
     return buffer;
 }
 
-/// Returns what `read` returns; what OpenEXR throws becomes a SceneError at `path`.
+/// Returns the result of `read`; converts exceptions of OpenEXR to a SceneError at `path`.
 template <typename Read>
 auto withExrErrors(const std::filesystem::path& path, Read&& read) {
     try {
@@ -143,7 +143,7 @@ bool isColor(std::string_view channel) {
     return std::ranges::any_of(kColorNames, [&](const char* name) { return channel == name; });
 }
 
-/// The channels of a file beside its colour, still empty.
+/// The channels of a file other than its colour, still empty.
 std::vector<Channel> otherChannels(const Imf::Header& header) {
     std::vector<Channel> channels;
     for (auto i = header.channels().begin(); i != header.channels().end(); ++i) {
@@ -172,7 +172,7 @@ Picture readPicture(const std::filesystem::path& path, bool wantsOtherChannels) 
     picture.color.height = size.height;
     if (wantsOtherChannels)
         picture.channels = otherChannels(file.header());
-    // Memory follows what was decoded, for a small file can claim any size.
+    // Memory grows with the decoded rows, because a small file can claim any size.
     constexpr int kRows = 64; // 50 MB of colour at most; whole tiles and blocks of most files
     for (int y = window.min.y; y <= window.max.y; y += kRows) {
         const int last = std::min(window.max.y, y + kRows - 1);
@@ -196,7 +196,7 @@ void writeExr(const std::filesystem::path& path, const Picture& picture) {
     MemoryStream stream;
     {
         Imf::OutputFile file(stream, header);
-        // OpenEXR takes pointers to mutable memory even where it only reads.
+        // OpenEXR needs pointers to mutable memory even if it only reads.
         file.setFrameBuffer(frameBuffer(const_cast<Picture&>(picture), header.dataWindow()));
         file.writePixels(static_cast<int>(picture.color.height));
     }

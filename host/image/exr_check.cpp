@@ -16,10 +16,10 @@ namespace {
 
 /// Twenty channels of float in blocks of 32 rows of the longest side, or in tiles of 1024 x 1024.
 constexpr uint64_t kLargestChunk = uint64_t{256} << 20;
-/// In the table of chunks.
+/// Of the table of chunks.
 constexpr uint64_t kBytesPerOffset = 8;
 
-/// Reads no more than headers: the functions of OpenEXR's core check all sizes against the file's.
+/// Reads headers only: the functions of OpenEXR's core check all sizes against the file's.
 class ExrHeader {
 public:
     explicit ExrHeader(const std::filesystem::path& path) : where_(path.string()) {

@@ -11,7 +11,7 @@
 namespace calotype {
 namespace {
 
-/// The helix, its hues in degrees. Along it, sRGB ends at a chroma of 0.169.
+/// The helix, its hues in degrees. Up to a chroma of 0.169 all its colours are in sRGB.
 constexpr double kFirstLightness = 0.25;
 constexpr double kLastLightness = 0.90;
 constexpr double kFirstHue = 265.0;

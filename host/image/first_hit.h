@@ -5,7 +5,7 @@
 
 namespace calotype {
 
-/// FirstHit::primitive where there is none.
+/// FirstHit::primitive if there is none.
 inline constexpr uint32_t kNoPrimitive = ~0u;
 
 /// The surface that a pixel shows. The defaults are a pixel that shows no surface.

@@ -12,7 +12,7 @@ namespace calotype {
 namespace {
 
 constexpr size_t kRgbeBytes = 4; // red, green, blue, exponent
-/// Rows as long as these may be run-length encoded.
+/// Rows of this length or longer may be run-length encoded.
 constexpr uint32_t kShortestEncoded = 8;
 constexpr uint32_t kLongestEncoded = 32767;
 
@@ -45,7 +45,7 @@ private:
     }
     [[noreturn]] void failCut() const { fail("is incomplete: its end is missing"); }
 
-    /// The fewest bytes that a row can take.
+    /// The least number of bytes of a row.
     static uint64_t fewestBytes(uint32_t width) {
         constexpr uint64_t kLongestRun = 127;
         return width < kShortestEncoded ? width * kRgbeBytes

@@ -10,7 +10,7 @@
 
 namespace calotype {
 
-/// The longest side of a picture that is rendered or compared, in pixels.
+/// The longest side of pictures to render or compare, in pixels.
 inline constexpr uint32_t kLargestPictureSide = 65535;
 
 /// A value for each pixel, row by row from the top left one.

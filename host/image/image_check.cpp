@@ -35,7 +35,7 @@ uint32_t crc32(std::string_view bytes) {
     return ~crc;
 }
 
-/// A TGA's header, as far as it matters for the size of what follows.
+/// The fields of a TGA's header that determine the size of the data.
 struct TgaHeader {
     bool indexed;
     bool runLengthEncoded;
@@ -58,7 +58,7 @@ TgaHeader readTgaHeader(std::string_view file) {
     return header;
 }
 
-/// Whether the packets of a run-length encoded TGA make up `pixels` pixels.
+/// Whether the packets of a run-length encoded TGA contain `pixels` pixels.
 bool holdsPackets(std::string_view packets, uint64_t pixels, size_t bytesPerPixel) {
     size_t at = 0;
     while (pixels > 0) {

@@ -12,10 +12,10 @@ enum class ImageFormat {
     Pfm, ///< 32-bit float, linear
 };
 
-/// The extensions that are known, for messages.
+/// The known extensions, for messages.
 inline constexpr std::string_view kImageExtensions = ".png, .exr or .pfm";
 
-/// The format that the extension of `path` names, in whatever case; none if it is not known.
+/// The format of the extension of `path`, ignoring case; none if it is unknown.
 std::optional<ImageFormat> imageFormatOf(const std::filesystem::path& path);
 
 } // namespace calotype

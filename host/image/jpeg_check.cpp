@@ -21,7 +21,7 @@ constexpr uint32_t kStart = 0xd8;
 constexpr uint32_t kEnd = 0xd9;
 constexpr uint32_t kFill = 0xff;
 
-/// Whether the tables of a segment have at most 256 codes each.
+/// Whether the Huffman tables of a segment have at most 256 codes each.
 bool areTablesSound(std::string_view tables) {
     constexpr size_t kLengths = 16;
     constexpr size_t kMostCodes = 256;
@@ -38,7 +38,7 @@ bool areTablesSound(std::string_view tables) {
     return true;
 }
 
-/// Walks from marker to marker, over compressed data too, to the end of the picture.
+/// Visits all markers, also after compressed data, to the end of the picture.
 bool areAllTablesSound(std::string_view file) {
     size_t at = file.find('\xff');
     while (at != std::string_view::npos && file.size() - at >= 2) {
@@ -60,7 +60,7 @@ bool areAllTablesSound(std::string_view file) {
             return false;
         at = file.find('\xff', at + 2 + length);
     }
-    return true; // stb_image notices that the end is missing
+    return true; // stb_image detects a missing end
 }
 
 } // namespace

@@ -42,7 +42,7 @@ std::vector<Layer> makeLayers() {
     return {CALOTYPE_LAYERS(CALOTYPE_FIRST_HIT_ROW, CALOTYPE_AVERAGED_ROW, CALOTYPE_REPLICAS_ROW)};
 }
 
-/// One of the 32-bit numbers of each record, the one at `offset` bytes from its beginning.
+/// The 32-bit number at `offset` bytes in each record.
 template <typename Value, typename Record>
 std::vector<Value> gather(std::span<const Record> records, size_t offset) {
     std::vector<Value> values(records.size());
@@ -51,7 +51,7 @@ std::vector<Value> gather(std::span<const Record> records, size_t offset) {
     return values;
 }
 
-/// The channels of a layer whose values lie one after the other in each record.
+/// The channels of a layer whose values are contiguous in each record.
 template <typename Record>
 std::vector<Channel> gatherChannels(const Layer& layer, std::span<const Record> records) {
     std::vector<Channel> channels;

@@ -23,7 +23,7 @@ enum class LayerSource : uint8_t {
 
 /// A group of channels of a picture: a row of the table in shared/layers.h.
 struct Layer {
-    std::string name; ///< as --aov and EXR files name it
+    std::string name; ///< in --aov and in EXR files
     LayerSource source;
     std::vector<std::string> channels; ///< their full names: "albedo.R", "albedo.G", "albedo.B"
     bool isInteger = false;            ///< 32-bit unsigned integers; else 32-bit floats
@@ -36,10 +36,10 @@ using LayerList = std::vector<const Layer*>;
 /// The table.
 LayerList allLayers();
 
-/// The layers of all sources but FirstHit: those that a film is enough for.
+/// The layers of all sources except FirstHit: those that can be made from a film.
 LayerList layersOfFilms();
 
-/// The layer of that name; null where there is none.
+/// The layer with that name; null if there is none.
 const Layer* findLayer(std::string_view name);
 
 /// Whether one of the layers has that source.
@@ -54,8 +54,8 @@ std::vector<Channel> channelsOf(const Layer& layer, const FirstHitImage& hits);
 /// The channels of a layer whose source is Replicas.
 std::vector<Channel> channelsOf(const Layer& layer, std::span<const PixelError> errors);
 
-/// Reads the layers of first hits in an EXR file; a layer that it lacks has the default values of a
-/// FirstHit. Throws SceneError where the file cannot be read, is damaged, or has no such layer.
+/// Reads the first-hit layers in an EXR file; a layer that the file lacks gets the default values
+/// of a FirstHit. Throws SceneError if the file cannot be read, is damaged, or has no such layer.
 FirstHitImage readFirstHits(const std::filesystem::path& path);
 
 } // namespace calotype

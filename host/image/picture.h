@@ -22,7 +22,7 @@ struct Attribute {
     std::variant<std::string, int32_t, double> value;
 };
 
-/// Where a cropped picture lies in the whole one, in pixels from the top left corner.
+/// The place of a cropped picture in the whole one, in pixels from the top left corner.
 struct CropPlacement {
     uint32_t x = 0;
     uint32_t y = 0;
@@ -30,12 +30,12 @@ struct CropPlacement {
     uint32_t filmHeight = 0;
 };
 
-/// All that a picture file can hold.
+/// The contents of a picture file.
 struct Picture {
     Image color;
-    std::vector<Channel> channels = {}; ///< beside the colour, each of its size
+    std::vector<Channel> channels = {}; ///< without the colour; each has the colour's size
     std::vector<Attribute> metadata = {};
-    std::optional<CropPlacement> crop = {}; ///< none: this is the whole picture
+    std::optional<CropPlacement> crop = {}; ///< none: the picture is not cropped
 };
 
 } // namespace calotype

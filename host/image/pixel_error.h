@@ -2,7 +2,7 @@
 
 namespace calotype {
 
-/// Estimates of the error of one pixel's luminance, W/(m^2 sr). Both are infinite where the samples
+/// Estimates of the error of one pixel's luminance, W/(m^2 sr). Both are infinite if the samples
 /// are too few.
 struct PixelError {
     float standardError = 0.0f;

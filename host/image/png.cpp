@@ -22,7 +22,7 @@ std::string encodePng(const Rgb8Image& image) {
     CALOTYPE_CHECK_LT(0u, image.pixels.size());
     constexpr int kChannels = 3;
 
-    // stb counts bytes in int, one more per row, in a buffer that doubles as it grows.
+    // stb counts bytes in int, and its buffer grows by doubling. Each row has one byte more.
     const uint64_t bytesToPack = (uint64_t{image.width} * kChannels + 1) * image.height;
     if (bytesToPack > std::numeric_limits<int>::max() / 2)
         throw OutputError(std::to_string(image.width) + " x " + std::to_string(image.height) +

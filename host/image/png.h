@@ -7,10 +7,10 @@
 
 namespace calotype {
 
-/// The bytes of an 8-bit RGB PNG. Throws OutputError where the picture is too large for one.
+/// The bytes of an 8-bit RGB PNG. Throws OutputError if the picture is too large for the format.
 std::string encodePng(const Rgb8Image& image);
 
-/// Writes an 8-bit RGB PNG, whole at every moment. Throws OutputError.
+/// Writes an 8-bit RGB PNG, atomically. Throws OutputError.
 void writePng(const std::filesystem::path& path, const Rgb8Image& image);
 
 } // namespace calotype

@@ -18,7 +18,7 @@
 namespace calotype {
 namespace {
 
-/// In bytes: a PFM, the format that packs least, with so many pixels and a page for its header.
+/// In bytes: a PFM, the least compact format, with the most pixels and a page for its header.
 constexpr uintmax_t kLargestFile = kMostPicturePixels * sizeof(glm::vec3) + 4096;
 /// In bytes: the longest signature, "#?RADIANCE".
 constexpr size_t kSignature = 10;

@@ -10,9 +10,9 @@ namespace calotype {
 inline constexpr uint64_t kMostPicturePixels = uint64_t{1} << 28;
 
 /// Reads an EXR (channels R, G and B of half or float), a colour PFM, a Radiance HDR (RGBE) or a
-/// PNG (8 or 16 bits, decoded from sRGB), told apart by their content, as linear light. Alpha and
-/// other channels are left out. Throws SceneError for a file that is missing, damaged, of another
-/// kind, or that holds more than 65535 pixels on a side or `mostPixels` in all.
+/// PNG (8 or 16 bits, decoded from sRGB) as linear light. The content decides the format. Ignores
+/// alpha and other channels. Throws SceneError for a file that is missing, damaged, of another
+/// format, or that has more than 65535 pixels on a side or `mostPixels` in all.
 Image readImage(const std::filesystem::path& path, uint64_t mostPixels = kMostPicturePixels);
 
 } // namespace calotype

@@ -21,7 +21,7 @@ struct StbFormat {
     ImageSize (*check)(std::string_view file, const std::string& where);
 };
 
-/// TGA comes last: it has no signature.
+/// TGA is last: it has no signature.
 constexpr StbFormat kStbFormats[] = {{"PNG", isPng, checkPng},
                                      {"JPEG", isJpeg, checkJpeg},
                                      {"BMP", isBmp, checkBmp},
@@ -31,8 +31,8 @@ struct FreeStb {
     void operator()(void* memory) const { stbi_image_free(memory); }
 };
 
-/// More than any buffer of stb_image needs: JPEG's planes are padded to blocks of up to 32
-/// pixels, PNG's rows hold up to 8 bytes per pixel and grow by doubling.
+/// More than any buffer of stb_image needs: JPEG's planes are padded to blocks of up to 32 pixels;
+/// PNG's rows have up to 8 bytes per pixel and their buffer grows by doubling.
 size_t memoryFor(const ImageSize& size, size_t fileSize) {
     constexpr size_t kBytesPerPixel = 16;
     constexpr size_t kPadding = 64;

@@ -10,7 +10,7 @@ thread_local size_t stbAllocationLimit = 0;
 
 namespace {
 
-/// Cleared memory, because a corrupt JPEG may use Huffman tables that it does not define.
+/// Cleared memory, because a corrupt JPEG may refer to Huffman tables that it does not define.
 void* allocateWithinLimit(size_t size) {
     return size <= calotype::stbAllocationLimit ? std::calloc(1, size) : nullptr;
 }

@@ -9,7 +9,7 @@
 namespace calotype {
 namespace {
 
-/// Of the same size and form (bytes or floats), with `grey` and `alpha` of each texel's value.
+/// An image of the same size and form, with `grey` and `alpha` of each texel's value.
 template <typename Grey, typename Alpha>
 TexelImage makeImage(const TexelImage& image, TexelChannel channel, Grey grey, Alpha alpha) {
     TexelImage result;
@@ -43,7 +43,7 @@ std::array<double, 256> valuesOfBytes(bool decode) {
     return values;
 }
 
-/// Adds the three colours of each texel, `value` of each sample.
+/// Adds the three colours of all texels; `value` converts each sample.
 template <typename Sample, typename Value>
 glm::dvec3 sumOf(const std::vector<Sample>& samples, Value value) {
     glm::dvec3 sum(0.0);

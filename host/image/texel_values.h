@@ -30,18 +30,18 @@ TexelImage greyImage(const TexelImage& image, TexelChannel channel);
 /// A white image whose alpha is one channel of `image`, clamped to [0, 1].
 TexelImage alphaImage(const TexelImage& image, TexelChannel channel);
 
-/// The mean colour of an image, without regard to alpha. `decode` makes sRGB-encoded colours linear
-/// before the mean is taken, as a colour slot does.
+/// The mean colour of an image; alpha is ignored. `decode` makes sRGB-encoded colours linear before
+/// averaging, like a colour slot.
 glm::dvec3 meanColor(const TexelImage& image, bool decode);
 
 /// The least and the greatest value of red, green and blue over all texels of an image, bytes
-/// scaled to [0, 1]; nothing is decoded.
+/// scaled to [0, 1], not decoded.
 struct TexelRange {
     glm::dvec3 least{0.0};
     glm::dvec3 greatest{0.0};
 };
 
-/// Of an image that is not empty.
+/// The image must not be empty.
 TexelRange texelRange(const TexelImage& image);
 
 } // namespace calotype

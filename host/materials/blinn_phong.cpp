@@ -7,7 +7,7 @@
 namespace calotype {
 namespace {
 
-/// Weights that add up to one in decimal may not do so in binary.
+/// Weights that sum to one in decimal may not do so in binary.
 constexpr double kRounding = 1e-9;
 
 void packBlinnPhong(const Material& material, shared::Material& packed) {
@@ -16,13 +16,13 @@ void packBlinnPhong(const Material& material, shared::Material& packed) {
     packed.specular = static_cast<float>(material.ks);
 }
 
-/// Whether the format's rule, kd + 4 ks > 1, decides, whatever the colour.
+/// Whether the rule of the format, kd + 4 ks > 1, decides, for any colour.
 bool isJudgedByWeights(const Material& material) {
     return !material.normalize && material.colorTexture == Material::kNoTexture;
 }
 
-/// kd + 4 ks by the format's rule, else kd times the brightest colour + 4 ks, or + ks where the
-/// lobe is normalised.
+/// By the format's rule kd + 4 ks; else kd times the brightest colour, + 4 ks or, if the lobe is
+/// normalised, + ks.
 std::optional<double> excessOfBlinnPhong(const Material& material, TextureRanges& textures) {
     const double brightest =
         isJudgedByWeights(material) ? 1.0 : brightestChannel(material, textures);

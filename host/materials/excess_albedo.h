@@ -8,15 +8,14 @@
 
 namespace calotype {
 
-/// The share of the light from one direction that the material can reflect, where that is more than
-/// all of it; nullopt where it is not. Of textures the extremes are taken, which need not meet in
-/// one place.
+/// The largest share of the light from one direction that the material can reflect, if it is above
+/// 1; else nullopt. Uses the extremes of textures, which need not be at the same place.
 std::optional<double> excessAlbedo(const Material& material, TextureRanges& textures);
 
-/// The largest channel of a material's colour, where its texture is brightest.
+/// The largest channel of a material's colour, at the brightest texel of its texture.
 double brightestChannel(const Material& material, TextureRanges& textures);
 
-/// `albedo` where it is above `limit`.
+/// `albedo` if it is above `limit`.
 std::optional<double> whereAbove(double limit, double albedo);
 
 /// "101.4 %"

@@ -24,7 +24,7 @@ uint32_t ggxLobe(const Material& material) {
     return shared::kLobeGgx | (material.masking == Masking::Smith ? shared::kSmithMasking : 0);
 }
 
-/// Half vectors of density D n.h on a regular grid: each stands for F G v.h / (n.v n.h) of the
+/// Half vectors of density D n.h on a regular grid: each has the weight F G v.h / (n.v n.h) of the
 /// light (docs/models.md, "GGX").
 double ggxAlbedo(double cosine, double roughness, double f0, Masking masking) {
     constexpr int kPolar = 32;
@@ -36,7 +36,7 @@ double ggxAlbedo(double cosine, double roughness, double f0, Masking masking) {
         const double tangent = roughness * roughness * std::sqrt(u / (1.0 - u));
         const double cosH = 1.0 / std::sqrt(1.0 + tangent * tangent);
         for (int j = 0; j < kAzimuthal; ++j) {
-            const double azimuth = std::numbers::pi * (j + 0.5) / kAzimuthal; // half a turn does
+            const double azimuth = std::numbers::pi * (j + 0.5) / kAzimuthal; // half a turn is all
             const double vDotH = cosine * cosH + sine * tangent * cosH * std::cos(azimuth);
             const double cosL = 2.0 * vDotH * cosH - cosine;
             if (vDotH > 0.0 && cosL > 0.0) {

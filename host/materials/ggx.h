@@ -6,7 +6,7 @@
 
 namespace calotype {
 
-/// The packed lobe of a metal or nonmetal.
+/// The packed GGX lobe of a metal or nonmetal.
 uint32_t ggxLobe(const Material& material);
 
 /// The share of the light from one direction, at `cosine` (in (0, 1]) to the normal, that the GGX

@@ -17,14 +17,14 @@
 
 namespace calotype {
 
-/// A number. Where `texture` is not null, a texture may stand in its place, beside which it is 1.
+/// A number. If `texture` is not null, it may be a texture; then the number is 1.
 struct NumberParameter {
     double Material::*number;
     uint32_t Material::*texture;
     Range range;
 };
 
-/// A colour whose channels lie in `channel`, or a texture as above.
+/// A colour whose channels are in `channel`; or a texture, as above.
 struct ColorParameter {
     glm::dvec3 Material::*color;
     uint32_t Material::*texture;
@@ -41,33 +41,33 @@ struct ChoiceParameter {
     void (*set)(Material&, size_t index);
 };
 
-/// What an author may say about a material of one kind: a key of scene files.
+/// A parameter of materials of one kind: a key of scene files.
 struct MaterialParameter {
     std::string name;
     std::variant<NumberParameter, ColorParameter, FlagParameter, ChoiceParameter> value;
-    /// In place of an absent key, which is an error where this is nullopt. A colour's is grey, a
-    /// flag's 0 or 1, a choice's the index of a name.
+    /// The value if the key is absent; nullopt: the key is required. For a colour a grey, for a
+    /// flag 0 or 1, for a choice the index of a name.
     std::optional<double> otherwise;
     std::string description;
     std::string unit = {};
 };
 
-/// All that the host knows of one kind of material, apart from the reference tracer.
+/// All facts about one kind of material, except in the reference tracer.
 struct MaterialKind {
     std::string name; ///< "type" in scene files
     std::string description;
     std::vector<MaterialParameter> parameters;
-    /// Opaque kinds may emit light, and the alpha of their colour's texture cuts holes.
+    /// Opaque kinds may emit light, and the alpha of their colour's texture makes holes.
     bool isOpaque;
 
-    /// Sets the packed material's `lobes`, and numbers that they read in a sense of their own. All
-    /// other numbers are packed already.
+    /// Sets the packed material's `lobes`, and those numbers that have a special meaning for them.
+    /// All other numbers are packed before.
     void (*pack)(const Material& material, shared::Material& packed);
 
-    /// The share of the light from one direction that the material can reflect, where that is more
-    /// than all of it; nullptr where a kind never exceeds it.
+    /// The largest share of the light from one direction that the material can reflect, if it is
+    /// above 1; else nullopt. nullptr if that never happens for this kind.
     std::optional<double> (*excessAlbedo)(const Material& material, TextureRanges& textures);
-    /// What to say of such a share.
+    /// The warning about such a share.
     std::string (*excessWarning)(const Material& material, double albedo);
 };
 

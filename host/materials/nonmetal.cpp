@@ -11,7 +11,7 @@
 namespace calotype {
 namespace {
 
-/// What an albedo must exceed one by: the error of its integration.
+/// An albedo must exceed one by more than this: the error of its integration.
 constexpr double kTolerance = 0.002;
 constexpr int kAngles = 20; ///< from a cosine of 1 / 20 (87 degrees) to 1
 
@@ -19,10 +19,10 @@ void packNonmetal(const Material& material, shared::Material& packed) {
     packed.lobes = ggxLobe(material) | shared::kLobeDiffuse;
 }
 
-/// By numerical integration up to an angle of 87 degrees, at which with Masking::Schlick and an F0
-/// of 0.04 colours from 0.88 (roughness 0) to 0.99 (roughness 0.8) exceed 1. The least F0 is
-/// taken: the albedo is linear in it, and does not exceed one at an F0 of one, so where it exceeds
-/// one at all, it falls as F0 grows.
+/// By numerical integration up to an angle of 87 degrees. There, with Masking::Schlick and an F0 of
+/// 0.04, colours from 0.88 (roughness 0) to 0.99 (roughness 0.8) exceed 1. Uses the least F0: the
+/// albedo is linear in F0 and at most one at F0 = 1, so if it exceeds one at all, it decreases as
+/// F0 grows.
 std::optional<double> excessOfNonmetal(const Material& material, TextureRanges& textures) {
     const double f0 = material.specular * textures.scalars(material.specularTexture).least;
     const double diffuse = (1.0 - f0) * brightestChannel(material, textures);

@@ -10,7 +10,7 @@ namespace calotype {
 namespace {
 
 constexpr double kSingularVolume = 1e-12;
-/// Of the columns' lengths. The square of its inverse, a determinant, is still a normal number.
+/// Ratio of the columns' lengths. The square of its inverse, a determinant, is a normal number.
 constexpr double kMostAnisotropy = 1e100;
 constexpr double kSimilarityTolerance = 1e-5;
 
@@ -30,8 +30,8 @@ glm::dmat3 normalizedColumns(const glm::dmat3& m) {
     return result;
 }
 
-/// Newton's iteration for the orthogonal factor of the polar decomposition (Higham 1986); it
-/// converges quadratically and `m` is within 1e-5 of the result already.
+/// Newton's iteration for the orthogonal factor of the polar decomposition (Higham 1986). It
+/// converges quadratically, and `m` is already within 1e-5 of the result.
 glm::dmat3 nearestOrthogonal(glm::dmat3 m) {
     for (int i = 0; i < 4; ++i)
         m = 0.5 * (m + glm::transpose(glm::inverse(m)));
@@ -62,7 +62,7 @@ std::optional<SimilarityTransform> asSimilarity(const AffineTransform& transform
     for (int column = 0; column < 3; ++column) {
         for (int row = 0; row < 3; ++row) {
             const double wanted = column == row ? 1.0 : 0.0;
-            // Lengths enter squared, hence twice the tolerance.
+            // Lengths are squared, so twice the tolerance.
             if (!(std::abs(squares[column][row] / meanSquare - wanted) <
                   2.0 * kSimilarityTolerance)) {
                 return std::nullopt;

@@ -5,8 +5,8 @@
 
 namespace calotype {
 
-/// p_target = rotation * p_source + translation. `rotation` is orthogonal; its determinant is -1
-/// where the user's transform mirrors.
+/// p_target = rotation * p_source + translation. `rotation` is orthogonal; its determinant is -1 if
+/// the user's transform mirrors.
 struct RigidTransform {
     glm::dmat3 rotation{1.0};
     glm::dvec3 translation{0.0};

@@ -12,7 +12,7 @@ struct SineCosine {
 };
 
 SineCosine sineCosine(double degrees) {
-    // std::remquo is exact: what is left lies in [-45, 45].
+    // std::remquo is exact: the remainder is in [-45, 45].
     int quarterTurns = 0;
     const double rest = std::remquo(degrees, 90.0, &quarterTurns);
     const double radians = rest * (std::numbers::pi / 180.0);

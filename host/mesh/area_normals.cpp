@@ -8,11 +8,11 @@
 namespace calotype {
 namespace {
 
-/// Of the summed areas: what is left of normals that cancel, were it not for rounding.
+/// Relative to the summed areas: a smaller sum of normals is only rounding.
 constexpr double kCancelled = 1e-12;
 
-/// A power of two that brings the positions to a size near one, against under- and overflow of
-/// areas.
+/// A power of two that scales the positions to a size near one, so that areas do not overflow or
+/// underflow.
 double unitScale(std::span<const glm::dvec3> positions) {
     double size = 0.0;
     for (const glm::dvec3& p : positions)

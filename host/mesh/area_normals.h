@@ -9,11 +9,11 @@
 
 namespace calotype {
 
-/// Largest absolute value of the three, which scales vectors without overflow.
+/// Largest absolute value of the three; to scale vectors without overflow.
 double largestComponent(const glm::dvec3& v);
 
-/// For each of `positions`, the mean of the normals of the triangles that index it, weighted by
-/// their areas and made one long; zero where the normals cancel or there is no triangle.
+/// For each of `positions`, the mean of the normals of the triangles that use it, weighted by area
+/// and normalised; zero if the normals cancel or there is no triangle.
 std::vector<glm::dvec3> areaWeightedNormals(std::span<const glm::dvec3> positions,
                                             std::span<const Mesh::Triangle> triangles);
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kGreyTolerance = 0.05;
 
-/// Floats, for a flat surface has no exact code in bytes.
+/// With floats, because a flat surface has no exact code in bytes.
 TexelImage emptyNormalMap(const TexelImage& image) {
     TexelImage result;
     result.width = image.width;
@@ -50,7 +50,7 @@ TexelImage normalMapFromHeights(const TexelImage& heights, TexelChannel channel,
     for (uint32_t y = 0; y < height; ++y) {
         for (uint32_t x = 0; x < width; ++x) {
             const double alongU = heightAt(x + 1, y) - heightAt(x + width - 1, y);
-            const double alongV = heightAt(x, y + height - 1) - heightAt(x, y + 1); // v runs up
+            const double alongV = heightAt(x, y + height - 1) - heightAt(x, y + 1); // v goes up
             appendNormal(result, {-0.5 * steepness * alongU, -0.5 * steepness * alongV, 1.0});
         }
     }

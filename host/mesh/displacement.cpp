@@ -24,7 +24,7 @@ const Displacement* displacementOf(const Mesh::Triangle& triangle, OfMaterial of
     return &*ofMaterial[triangle.material];
 }
 
-/// The displacement that subdivides most; nullptr if there is none.
+/// The displacement with the most subdivisions; nullptr if there is none.
 const Displacement* finest(std::span<const Mesh::Triangle> triangles, OfMaterial ofMaterial) {
     const Displacement* result = nullptr;
     for (const Mesh::Triangle& triangle : triangles) {
@@ -49,7 +49,7 @@ void checkCount(uint64_t count, const Displacement& displacement, const std::str
                          std::to_string(possible) + " or split the mesh");
 }
 
-/// For each material the first with a displacement to the same heights; kNone for none.
+/// For each material, the first material with a displacement to the same heights; kNone for none.
 std::vector<uint32_t> heightSources(OfMaterial ofMaterial) {
     std::vector<uint32_t> sources(ofMaterial.size(), kNone);
     const auto key = [&](uint32_t material) {
@@ -62,11 +62,11 @@ std::vector<uint32_t> heightSources(OfMaterial ofMaterial) {
     return sources;
 }
 
-/// What the height of a position depends on.
+/// The inputs of a position's height.
 struct Reading {
     uint32_t position = kNone;
-    uint32_t source = kNone; ///< a material; kNone where the triangle is not displaced
-    uint32_t uv = kNone;     ///< Mesh::kNoUv where there are none
+    uint32_t source = kNone; ///< a material; kNone if the triangle is not displaced
+    uint32_t uv = kNone;     ///< Mesh::kNoUv if there are none
 
     auto operator<=>(const Reading&) const = default;
 };
@@ -103,7 +103,7 @@ private:
         return displacement.scale * (value - displacement.mid);
     }
 
-    /// One for each position. Nearly all have one reading only; the others are sorted apart.
+    /// One height for each position. Nearly all have one reading only; the others are sorted.
     std::vector<double> meanHeights() const {
         std::vector<Reading> first(mesh_.positions.size());
         std::vector<Reading> further;
@@ -144,7 +144,7 @@ private:
             mesh_.positions[i] += heights[i] * directions[i];
     }
 
-    /// Adds the normals of the displaced surface behind the others.
+    /// Appends the normals of the displaced surface.
     void followSurface() {
         std::vector<bool> touched(mesh_.positions.size());
         for (const Mesh::Triangle& triangle : mesh_.triangles) {
@@ -176,7 +176,7 @@ private:
     std::span<const Texture> textures_;
 };
 
-/// The triangles without the normals of the displaced ones, which are not used.
+/// The triangles, without references to normals of displaced triangles, which are not used.
 std::vector<Mesh::Triangle> withoutVainNormals(std::span<const Mesh::Triangle> triangles,
                                                OfMaterial ofMaterial) {
     std::vector<Mesh::Triangle> result(triangles.begin(), triangles.end());

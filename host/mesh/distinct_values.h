@@ -9,13 +9,13 @@
 
 namespace calotype {
 
-/// Vectors of doubles (glm::dvec2, glm::dvec3), each distinct value once and numbered from 0 in the
-/// order of their first appearance; fewer than 2^32. 0 and -0 are one value. A flat hash table,
-/// for meshes of millions of positions.
+/// Numbers distinct vectors of doubles (glm::dvec2, glm::dvec3) from 0 in the order of their first
+/// appearance; fewer than 2^32. 0 and -0 are equal. A flat hash table, for meshes of millions of
+/// positions.
 template <typename Vector>
 class DistinctValues {
 public:
-    /// The number of `value`, which is added where it is new.
+    /// The number of `value`; adds it if it is new.
     uint32_t add(const Vector& value) {
         if (2 * values_.size() >= slots_.size())
             grow();
@@ -27,7 +27,7 @@ public:
         return slot;
     }
 
-    /// The number of each of `values`, all of which are added.
+    /// Adds all `values` and returns their numbers.
     std::vector<uint32_t> addAll(std::span<const Vector> values) {
         std::vector<uint32_t> numbers;
         numbers.reserve(values.size());
@@ -47,7 +47,7 @@ private:
     static uint64_t hash(const Vector& value) {
         uint64_t hash = 0;
         for (int i = 0; i < Vector::length(); ++i) {
-            // Adding zero makes -0 and 0, which are equal, the same bits.
+            // Adding zero gives -0 and 0, which are equal, the same bits.
             const auto bits = std::bit_cast<uint64_t>(value[i] + 0.0);
             hash = (hash ^ bits) * 0x9e3779b97f4a7c15u;
             hash ^= hash >> 32;
@@ -55,8 +55,8 @@ private:
         return hash;
     }
 
-    /// Where `value` is or belongs. The number of slots is a power of two, at most half of them
-    /// in use.
+    /// The slot where `value` is or belongs. The number of slots is a power of two; at most half of
+    /// them are used.
     uint32_t& slotOf(const Vector& value) {
         const size_t mask = slots_.size() - 1;
         size_t i = hash(value) & mask;

@@ -18,8 +18,8 @@ bool isFinite(const glm::dvec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// The direction of the front's normal, scaled at will; zero exactly where the triangle has no
-/// area. Edges are scaled first, against under- and overflow.
+/// The direction of the front's normal, of any length; exactly zero if the triangle has no area.
+/// Edges are scaled first, so that they do not overflow or underflow.
 glm::dvec3 scaledNormal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     const glm::dvec3 ab = b - a;
     const glm::dvec3 ac = c - a;
@@ -27,14 +27,14 @@ glm::dvec3 scaledNormal(const glm::dvec3& a, const glm::dvec3& b, const glm::dve
     return size == 0.0 ? glm::dvec3(0.0) : glm::cross(ab / size, ac / size);
 }
 
-/// Collects what triangles use of `source`, numbered in the order of first use.
+/// Collects the values of `source` that triangles use, numbered in the order of first use.
 template <typename Value>
 class Compaction {
 public:
     explicit Compaction(std::span<const Value> source)
         : source_(source), newIndex_(source.size(), kUnused) {}
 
-    /// The new index of `old`; `convert` makes the new value when it is met for the first time.
+    /// The new index of `old`; `convert` makes the new value at the first use.
     template <typename Convert>
     uint32_t add(uint32_t old, Convert&& convert) {
         if (newIndex_[old] == kUnused) {
@@ -53,7 +53,7 @@ private:
     std::vector<Value> values_;
 };
 
-/// Takes triangles from object space to world space.
+/// Transforms triangles from object space to world space.
 class MeshBuilder {
 public:
     MeshBuilder(const ObjectMesh& source, const AffineTransform& worldFromObject, bool keepNormals)
@@ -64,7 +64,7 @@ public:
         triangles_.reserve(source.triangles.size());
     }
 
-    /// Throws SceneError at `where` if a vertex leaves the range of finite numbers.
+    /// Throws SceneError at `where` if a vertex is no longer finite.
     void add(Mesh::Triangle triangle, const std::string& where) {
         if (mirrored_) {
             std::swap(triangle.position[1], triangle.position[2]);
@@ -118,8 +118,8 @@ private:
     uint64_t dropped_ = 0;
 };
 
-/// Replaces the normals by one per distinct position. Triangles at a position whose normals
-/// cancel become flat.
+/// Replaces the normals by one per distinct position. Triangles become flat if the normals at one
+/// of their positions cancel.
 void smoothNormals(Mesh& mesh) {
     DistinctValues<glm::dvec3> distinct;
     const std::vector<uint32_t> place = distinct.addAll(mesh.positions);

@@ -9,10 +9,10 @@
 
 namespace calotype {
 
-/// Triangles in object space and what they index. Refers to memory that others own.
+/// Triangles in object space and their vertex data. Does not own the memory.
 struct ObjectMesh {
     std::span<const glm::dvec3> positions;
-    std::span<const glm::dvec3> normals; ///< of any length, but not zero where they are used
+    std::span<const glm::dvec3> normals; ///< of any length; those in use must not be zero
     std::span<const glm::dvec2> uvs;
     std::span<const Mesh::Triangle> triangles;
 };

@@ -12,7 +12,7 @@
 namespace calotype {
 namespace {
 
-/// Zero, which no corner may keep, where the two are opposite.
+/// Zero if the two are opposite; no corner may keep a zero normal.
 glm::dvec3 middleNormal(const glm::dvec3& a, const glm::dvec3& b) {
     const glm::dvec3 sum = a + b;
     return sum == glm::dvec3(0.0) ? sum : glm::normalize(sum);
@@ -58,7 +58,7 @@ public:
     }
 
 private:
-    /// The corners of the four: one at each corner and one in the middle.
+    /// The corners of the four triangles: one at each corner and one in the middle.
     static constexpr int kCorners[4][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {4, 5, 3}};
 
     /// The three corners and, as 3 to 5, the middles of the edges 01, 12 and 20.
@@ -79,7 +79,7 @@ private:
         refine(
             triangle.position,
             [&](uint32_t a, uint32_t b) {
-                // Halved first against overflow; the same from both sides of an edge.
+                // Halved first to avoid overflow; equal from both sides of an edge.
                 return positions_.add(0.5 * positions_[a] + 0.5 * positions_[b]);
             },
             position);

@@ -7,15 +7,15 @@
 
 namespace calotype {
 
-/// The number of triangles that `count` become, each turned into four `times` over. Beyond 2^64 it
-/// is 2^64 - 1.
+/// The number of triangles after each of `count` triangles is split into four, `times` times. At
+/// most 2^64 - 1, also for larger results.
 uint64_t subdividedCount(uint64_t count, uint32_t times);
 
-/// Turns each triangle into four, `times` over, by the midpoints of its edges; what is
-/// interpolated over a triangle stays as it was, but for normals, which are made one long again.
-/// The triangles of one lie together and face the same way. Positions, normals and texture
-/// coordinates of equal value become one, so that neighbours share their edges exactly, also where
-/// texture seams part them or a file repeats a position. The caller has checked the count.
+/// Splits each triangle into four at the midpoints of its edges, `times` times. Interpolated values
+/// do not change, except that normals are normalised again. The triangles from one triangle are
+/// consecutive and face the same way. Equal positions, normals and texture coordinates are merged,
+/// so that neighbours share their edges exactly, even if a texture seam separates them or a file
+/// repeats a position. The caller must check the count.
 Mesh subdivide(const ObjectMesh& mesh, uint32_t times);
 
 } // namespace calotype

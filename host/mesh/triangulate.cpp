@@ -11,10 +11,10 @@
 namespace calotype {
 namespace {
 
-/// Point-in-ear tests for one polygon: ten thousand ragged corners stay below it.
+/// Limit on point-in-ear tests for one polygon: enough for ten thousand irregular corners.
 constexpr size_t kMostTests = 100'000'000;
 
-/// Twice the polygon's area vector (Newell).
+/// Twice the area vector of the polygon (Newell).
 glm::dvec3 areaVector(std::span<const glm::dvec3> polygon) {
     glm::dvec3 sum(0.0);
     for (size_t i = 0; i < polygon.size(); ++i) {
@@ -34,7 +34,7 @@ double agreement(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& rig
 
 } // namespace
 
-/// Scaled by a power of two, so that coordinates stay exact and products neither overflow nor
+/// Scaled by a power of two, so that coordinates stay exact and products do not overflow or
 /// underflow.
 void Triangulator::moveToOrigin(std::span<const glm::dvec3> polygon) {
     double size = 0.0;
@@ -52,7 +52,7 @@ void Triangulator::moveToOrigin(std::span<const glm::dvec3> polygon) {
     }
 }
 
-/// From corner 0 where that can be, else along the diagonal whose triangles agree better.
+/// From corner 0 if possible, else along the diagonal whose triangles agree better.
 void Triangulator::cutQuad() {
     const double along02 = agreement(local_[0], local_[2], local_[1], local_[3]);
     const double along13 = agreement(local_[1], local_[3], local_[2], local_[0]);
@@ -65,8 +65,8 @@ void Triangulator::cutQuad() {
     }
 }
 
-/// Drops the axis along which the polygon is thinnest and orders the other two so that the polygon
-/// runs counter-clockwise.
+/// Drops the axis along which the polygon is thinnest, and orders the other two so that the polygon
+/// is counter-clockwise.
 void Triangulator::project() {
     const glm::dvec3 normal = areaVector(local_);
     const glm::dvec3 size = glm::abs(normal);
@@ -111,7 +111,7 @@ bool Triangulator::isEar(uint32_t corner) {
     const auto samePlace = [](const Corner& p, const Corner& q) {
         return p.x == q.x && p.y == q.y;
     };
-    // Only a reflex corner can reach into an ear first.
+    // Only a reflex corner can be inside an ear.
     for (const uint32_t index : reflex_) {
         const Corner& p = corners_[index];
         if (!p.reflex || samePlace(p, a) || samePlace(p, b) || samePlace(p, c))
@@ -122,7 +122,7 @@ bool Triangulator::isEar(uint32_t corner) {
     return true;
 }
 
-/// Where there is no ear: a corner that can go without loss, or else `corner`.
+/// If there is no ear: a corner that can be removed without loss, or else `corner`.
 uint32_t Triangulator::flattestCorner(uint32_t corner, uint32_t left) const {
     uint32_t candidate = corner;
     for (uint32_t i = 0; i < left && testsLeft_ > 0; ++i) {

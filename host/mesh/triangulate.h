@@ -9,21 +9,21 @@
 
 namespace calotype {
 
-/// Triangulates polygons in space. Quads are cut along a diagonal, all others by clipping ears in
-/// the coordinate plane that the polygon (its Newell normal) is nearest to. Keeps its memory from
-/// polygon to polygon.
+/// Triangulates polygons in space. Cuts quads along a diagonal, and others by ear clipping in the
+/// coordinate plane nearest to the polygon (by its Newell normal). Reuses its memory for the next
+/// polygon.
 class Triangulator {
 public:
     using Triangle = std::array<uint32_t, 3>;
 
     /// Exactly n - 2 triangles of corner indices, wound like the polygon, for n >= 3 corners; a
     /// convex polygon becomes the fan from its first corner. The triangles cover a flat, simple
-    /// polygon exactly. Of one that crosses itself or is far from flat, or that is too ragged to be
-    /// cut in bounded time, all corners are kept but triangles may overlap: see `sound`.
+    /// polygon exactly. If the polygon crosses itself, is far from flat, or is too irregular to cut
+    /// in bounded time, all corners are used but triangles may overlap: see `sound`.
     std::span<const Triangle> triangulate(std::span<const glm::dvec3> polygon);
 
-    /// Whether the last polygon was covered exactly. Always true of quads, which have no better
-    /// cut, even where they are folded.
+    /// Whether the last polygon was covered exactly. Always true for quads, even folded ones, which
+    /// have no better cut.
     bool sound() const { return sound_; }
 
 private:
@@ -45,9 +45,9 @@ private:
     uint32_t flattestCorner(uint32_t corner, uint32_t left) const;
     void clip(uint32_t corner);
 
-    std::vector<glm::dvec3> local_; ///< the polygon from its first corner, of a size near one
+    std::vector<glm::dvec3> local_; ///< the polygon from its first corner, scaled to about one
     std::vector<Corner> corners_;
-    std::vector<uint32_t> reflex_; ///< candidates that may lie in an ear; some no longer reflex
+    std::vector<uint32_t> reflex_; ///< corners that may be inside an ear; not all are still reflex
     std::vector<Triangle> triangles_;
     size_t testsLeft_ = 0;
     bool sound_ = true;

@@ -9,15 +9,15 @@
 namespace calotype {
 namespace {
 
-constexpr uint64_t kNumbers = uint64_t{1} << 24; ///< that a uniform random number may be
+constexpr uint64_t kNumbers = uint64_t{1} << 24; ///< possible values of a uniform random number
 
-/// The random numbers that fall into the columns before `column`, of `count` columns.
+/// The number of random numbers in the columns before `column`, of `count` columns.
 uint32_t numbersBefore(uint64_t column, uint64_t count) {
     return static_cast<uint32_t>((column * kNumbers + count - 1) / count);
 }
 
-/// All random numbers, dealt out by weight: one each to all that weigh something, of the others
-/// each one's share, rounded down, and what is left goes round in order.
+/// Distributes all random numbers by weight: one to each weight above 0, then to each its share of
+/// the others, rounded down; the rest goes to the weights in turn.
 std::vector<uint32_t> dealNumbers(std::span<const double> weights) {
     const auto weighsSomething = [](double weight) {
         CALOTYPE_CHECK_LE(0.0, weight);
@@ -70,7 +70,7 @@ std::vector<AliasColumn> buildAliasTable(std::span<const double> weights) {
         column.ownNumbers = numbers[receiver];
         column.alias = donor;
         numbers[donor] -= column.aliasNumbers;
-        const uint32_t capacity = columns[donor].ownNumbers; // all its own as yet
+        const uint32_t capacity = columns[donor].ownNumbers; // no number is an alias's yet
         if (numbers[donor] > capacity)
             continue;
         overfull.pop_back();

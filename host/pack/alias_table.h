@@ -8,19 +8,19 @@ namespace calotype {
 
 /// One column of the table, and the random numbers that fall into it.
 struct AliasColumn {
-    double probability = 0.0; ///< with which the column's index is chosen, by whatever column
+    double probability = 0.0; ///< of choosing the column's index, through any column
     uint32_t firstNumber = 0;
-    uint32_t ownNumbers = 0;   ///< from there on, which choose the column's index
-    uint32_t aliasNumbers = 0; ///< after those, which choose `alias`
+    uint32_t ownNumbers = 0;   ///< the first of these numbers, which choose the column's index
+    uint32_t aliasNumbers = 0; ///< the numbers after those, which choose `alias`
     uint32_t alias = 0;
 };
 
-/// Choosing an index in proportion to its weight, in constant time (Walker 1974, built as in Vose
-/// 1991), by one of the 2^24 random numbers u = 0, 2^-24, ..: they fall into column floor(n u) of
-/// n. All is counted in such numbers, so that the chances are exact: whole multiples of 2^-24 near
-/// the shares of the weights, and one at least for the least of them. The weights are finite, none
-/// negative; one of 0 has no chance, and if all are 0 none has. Where more than 2^24 weigh
-/// something, those beyond have no chance.
+/// Builds a table that chooses an index in proportion to its weight, in constant time (Walker 1974,
+/// built as in Vose 1991), by one of the 2^24 random numbers u = 0, 2^-24, ..: u belongs to column
+/// floor(n u) of n. All counts are in such numbers, so that the probabilities are exact: multiples
+/// of 2^-24 near the shares of the weights, at least one for every weight above 0. Weights are
+/// finite and not negative; a weight of 0 is never chosen, and if all are 0, none is. If more than
+/// 2^24 weights are above 0, those beyond are never chosen.
 std::vector<AliasColumn> buildAliasTable(std::span<const double> weights);
 
 } // namespace calotype

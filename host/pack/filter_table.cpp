@@ -31,7 +31,7 @@ double blackmanHarrisIntegral(double s) {
            0.01168 * std::sin(3.0 * kPi * s) / (3.0 * kPi);
 }
 
-/// The filter's weight from 0 to x, for x from 0 to its radius, up to a factor.
+/// The weight of the filter in [0, x], for x from 0 to its radius, up to a factor.
 double weightWithin(FilmFilter filter, double x) {
     constexpr double kGaussianSigma = 0.5;
     switch (filter) {
@@ -47,7 +47,7 @@ double weightWithin(FilmFilter filter, double x) {
     return blackmanHarrisIntegral(x / filterRadius(filter));
 }
 
-/// The x in [0, radius] within which `weight` lies, by bisection to the last bit.
+/// The x in [0, radius] such that [0, x] has this weight, by bisection to the last bit.
 double distanceWithWeight(FilmFilter filter, double weight) {
     double low = 0.0;
     double high = filterRadius(filter);

@@ -6,10 +6,10 @@
 
 namespace calotype {
 
-/// Distances from a pixel's centre along one axis, in pixels, by which the film filter's samples
-/// are spread: entry i of kFilterSteps + 1 is the distance below which the share i / kFilterSteps
-/// of the filter's weight lies. The filters are products of two equal factors, so one table serves
-/// both axes.
+/// Quantiles of the film filter: distances from a pixel's centre along one axis, in pixels, which
+/// distribute samples like the filter. The share i / kFilterSteps of the filter's weight is below
+/// entry i, for i from 0 to kFilterSteps. The filters are products of two equal factors, so one
+/// table serves both axes.
 std::vector<float> filterQuantiles(FilmFilter filter);
 
 } // namespace calotype

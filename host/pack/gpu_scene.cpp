@@ -19,7 +19,7 @@
 namespace calotype {
 namespace {
 
-/// Names and places have to fit into their bits.
+/// Throws if there are more than names and places have bits for.
 void requireAddressable(size_t count, size_t most, const char* what) {
     if (count > most)
         throw GpuError("the scene has " + std::to_string(count) + " " + what +
@@ -51,8 +51,8 @@ public:
     }
 
 private:
-    /// Triangles and quadrics, each in the order of the leaves, so that a leaf is a range of one of
-    /// the arrays.
+    /// Packs triangles and quadrics, each in the order of the leaves, so that a leaf is a range of
+    /// one of the arrays.
     void packPrimitives() {
         const bool smooth = anyTriangleHasNormals();
         enable(shared::kFeatureSmoothNormals, smooth);
@@ -82,16 +82,16 @@ private:
             addLight(bvh_.order[place], names_[place]);
     }
 
-    /// Whether quadrics are best tested at once, beside triangles, instead of making rays wait. On
-    /// lavapipe, 786 k triangles with spheres and cylinders that are 6, 18, 33 and 60 % of the
-    /// primitives visited: with waiting 1.03, 1.01, 0.98 and 0.94 times the paths a second.
+    /// Whether quadrics are tested with triangles, without waiting. On lavapipe, 786 k triangles
+    /// with spheres and cylinders that are 6, 18, 33 and 60 % of the visited primitives: waiting
+    /// gives 1.03, 1.01, 0.98 and 0.94 times the paths a second.
     bool hasManyQuadrics() const {
         constexpr double kMany = 0.25; // of the primitives that a ray visits
         const BvhStatistics statistics = bvhStatistics(bvh_);
         return statistics.quadricsVisited > kMany * statistics.primitivesVisited;
     }
 
-    /// Of each primitive in the order of the leaves, its name (shared::kQuadricBit).
+    /// Gives each primitive its name (shared::kQuadricBit), in the order of the leaves.
     void nameInOrder() {
         names_.resize(bvh_.order.size());
         std::iota(names_.begin(), names_.end(), 0u);
@@ -113,7 +113,7 @@ private:
                                                          : packed_.quadrics[index].material);
     }
 
-    /// Places in the order of the leaves of primitives that may be lights.
+    /// The places, in the order of the leaves, of primitives that may be lights.
     std::vector<uint32_t> placesOfLights() const {
         std::mutex mutex;
         std::vector<uint32_t> places;
@@ -129,11 +129,11 @@ private:
         return places;
     }
 
-    /// Leaves follow each other as they lie in space, primitives and triangles as they were made,
-    /// so that packing would wait for memory half of its time. Not inlined, GCC 12 would drop this
-    /// as doing nothing.
+    /// Leaves are ordered by space, but primitives and triangles by the scene file, so packing
+    /// would wait for memory half of its time. Always inlined: otherwise GCC 12 removes this
+    /// function as without effect.
     [[gnu::always_inline]] void prefetch(uint64_t place, uint64_t last) const {
-        constexpr uint64_t kAhead = 16; // primitives: some microseconds' work; 8 and 32 do as well
+        constexpr uint64_t kAhead = 16; // primitives: microseconds of work; 8 and 32 are as fast
         if (place + 2 * kAhead < last)
             __builtin_prefetch(&primitives_[bvh_.order[place + 2 * kAhead]].shape);
         if (place + kAhead >= last)
@@ -143,7 +143,7 @@ private:
             __builtin_prefetch(&mesh->triangles[next.triangle]);
     }
 
-    /// From several threads at a time: each primitive has a place of its own.
+    /// Called by several threads at a time: each primitive has its own place.
     void packPrimitive(uint32_t number, uint32_t name) {
         const Shape& shape = scene_.shapes[primitives_[number].shape];
         const auto* mesh = std::get_if<Mesh>(&shape.geometry);
@@ -184,7 +184,7 @@ private:
         });
     }
 
-    /// Links each shining primitive, and rays that meet none, to their light.
+    /// Links each emitting primitive, and rays that hit nothing, to their light.
     void packLights() {
         packed_.lights = lights_.take();
         packed_.maxRadiance = lights_.maxRadiance();
@@ -218,7 +218,7 @@ private:
         });
     }
 
-    /// Materials of some primitive. What others would need of the kernel is left out.
+    /// Packs the materials that primitives use. Others must not add features to the kernel.
     void packMaterials() {
         for (const Shape& shape : scene_.shapes) {
             if (const Mesh* mesh = std::get_if<Mesh>(&shape.geometry))
@@ -251,8 +251,7 @@ private:
         enable(shared::kFeatureOrthographic, camera.projection == Projection::Orthographic);
     }
 
-    /// Buffers of no size do not exist. An empty scene is one triangle without area, which no ray
-    /// meets.
+    /// A buffer cannot be empty. An empty scene is one triangle without area, which no ray hits.
     void fillEmptyArrays() {
         if (packed_.nodes.empty()) {
             packed_.nodes.emplace_back();

@@ -12,20 +12,20 @@
 
 namespace calotype {
 
-/// A scene as the kernels read it, relative to `origin`. No array is empty.
+/// A scene in the form that the kernels read, relative to `origin`. No array is empty.
 struct GpuScene {
     std::vector<shared::BvhNode> nodes;
     std::vector<shared::Triangle> triangles;
     std::vector<shared::TriangleNormals>
-        triangleNormals;                          ///< one per triangle, or a single one unused
+        triangleNormals;                          ///< one per triangle, or a single unused one
     std::vector<shared::TriangleUvs> triangleUvs; ///< likewise
     std::vector<shared::Quadric> quadrics;
-    std::vector<shared::Material> materials; ///< those of no primitive are left blank
+    std::vector<shared::Material> materials; ///< unused materials are left blank
     std::vector<shared::Texture> textures;
     std::vector<glm::uvec4> texelRows;
     std::vector<shared::Light> lights;
     std::vector<float> filterQuantiles;
-    uint32_t lightCount = 0;                  ///< `lights` holds one unused where this is 0
+    uint32_t lightCount = 0;                  ///< if 0, `lights` holds one unused light
     uint32_t backgroundLight = shared::kNone; ///< index of the light that is the background
     size_t primitiveCount = 0;
     shared::Camera camera{};
@@ -37,14 +37,14 @@ struct GpuScene {
     size_t bytes() const;
 };
 
-/// What is packed beside what the scene itself says.
+/// What to pack in addition to what the scene needs.
 struct PackOptions {
     bool allUvs = false;     ///< texture coordinates of triangles without textures
     bool allNormals = false; ///< normals of flat triangles: zeros
     LightChoice lightChoice = LightChoice::Power;
 };
 
-/// Packs a scene with its tree. `aspectRatio` is the picture's width over its height; `primitives`
+/// Packs a scene with its BVH. `aspectRatio` is the picture's width over its height; `primitives`
 /// were collected relative to `origin`.
 GpuScene packScene(const Scene& scene, std::span<const Primitive> primitives, const Bvh& bvh,
                    const glm::dvec3& origin, double aspectRatio, const PackOptions& options = {});

@@ -9,11 +9,11 @@
 namespace calotype {
 namespace {
 
-/// As for the coordinates of shapes: the kernels form cubes of lengths.
+/// Metres. Like the limit for coordinates of shapes: the kernels form cubes of lengths.
 constexpr double kLargestLength = 1e12;
-/// Of a ray against the direction of view, a tangent: its square has to stay within float.
+/// Tangent of the angle between a ray and the view direction: its square must stay within float.
 constexpr double kLargestSlope = 1e18;
-/// Metres; in float's range, and at infinity for lenses of up to kLargestLength.
+/// Metres; within float, also after multiplication with a lens of up to kLargestLength.
 constexpr double kFarthestFocus = 1e30;
 
 /// `halfHeight` is in metres or, in perspective, the tangent of half the field of view.

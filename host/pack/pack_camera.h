@@ -5,8 +5,8 @@
 
 namespace calotype {
 
-/// The camera relative to `origin`; `aspectRatio` is the picture's width over its height.
-/// Throws SceneError where single precision does not hold its rays.
+/// The camera relative to `origin`; `aspectRatio` is the picture's width over its height. Throws
+/// SceneError if single precision cannot represent its rays.
 shared::Camera packCamera(const Camera& camera, FilmFilter filter, const glm::dvec3& origin,
                           double aspectRatio);
 

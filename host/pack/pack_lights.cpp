@@ -16,7 +16,7 @@ namespace {
 
 double maxComponent(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
-/// Of the kernel, for a light of that kind.
+/// The kernel feature for lights of that kind.
 uint32_t featureOf(uint32_t kind) {
     constexpr uint32_t kFeatures[] = {shared::kFeatureTriangleLights, shared::kFeatureSphereLights,
                                       shared::kFeatureCylinderLights, shared::kFeatureConeLights,
@@ -35,7 +35,7 @@ bool LightPacker::isLight(uint32_t materialIndex) const {
 void LightPacker::add(uint32_t kind, uint32_t materialIndex, uint32_t name, uint32_t number,
                       double area) {
     const Material& material = scene_.materials[materialIndex];
-    // A light that is off but hidden from the camera still has to be seen through.
+    // Camera rays pass through a hidden light even if it is off.
     const bool shines = maxComponent(material.emission) > 0.0 && area > 0.0;
     if (!shines && material.visibleToCamera)
         return;
@@ -56,9 +56,9 @@ void LightPacker::add(uint32_t kind, uint32_t materialIndex, uint32_t name, uint
     lights_.push_back({light, number, luminance(material.emission) * area * sides});
 }
 
-/// The background sends its radiance through the sphere about the scene. It is chosen half of the
-/// times at most, however far the scene's ground reaches: a ray that leaves the surface in any
-/// direction finds it too.
+/// The power of the background is its radiance through the sphere around the scene. It is chosen
+/// with probability 1/2 at most, however large the scene's ground is: rays that leave surfaces by
+/// BSDF sampling find it too.
 void LightPacker::addBackground() {
     if (scene_.background == glm::dvec3(0.0))
         return;

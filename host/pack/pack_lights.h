@@ -11,10 +11,10 @@
 
 namespace calotype {
 
-/// Collects a scene's lights, and how likely each is to be chosen.
+/// Collects a scene's lights and their selection probabilities.
 class LightPacker {
 public:
-    /// `scene` and `features`, to which what the lights need is added, must outlive this.
+    /// `scene` and `features` must outlive this object. Adds to `features` what the lights need.
     LightPacker(const Scene& scene, SceneFeatures& features,
                 LightChoice choice = LightChoice::Power)
         : scene_(scene), features_(features), choice_(choice) {}
@@ -22,14 +22,14 @@ public:
     /// Whether primitives of the material may be lights.
     bool isLight(uint32_t materialIndex) const;
 
-    /// Adds the primitive of that name (shared::Light::primitive) and number in the scene file if
-    /// its material makes it a light. `kind` as in shared::Light, `area` in m^2. Throws SceneError
-    /// where its radiance is beyond what single precision has room for.
+    /// Adds the primitive with that name (shared::Light::primitive) and number in the scene file,
+    /// if its material makes it a light. `kind` is that of shared::Light, `area` is in m^2. Throws
+    /// SceneError if its radiance exceeds the range of single precision.
     void add(uint32_t kind, uint32_t materialIndex, uint32_t name, uint32_t number, double area);
 
-    /// All lights with their alias table: those of primitives in the order of the scene file, so
-    /// that which one a random number picks does not depend on the tree, then the background.
-    /// Throws as `add`.
+    /// All lights with their alias table: first those of primitives, in the order of the scene
+    /// file, then the background. So the choice by a random number does not depend on the BVH.
+    /// Throws like `add`.
     std::vector<shared::Light> take();
 
     /// Largest emitted radiance of any channel, W/(m^2 sr).
@@ -39,7 +39,7 @@ private:
     struct NumberedLight {
         shared::Light light{};
         uint32_t number = 0; ///< of its primitive
-        double power = 0.0;  ///< up to a factor that all share
+        double power = 0.0;  ///< up to a common factor
     };
 
     void addBackground();

@@ -7,7 +7,7 @@
 namespace calotype {
 namespace {
 
-/// What the kernel needs for each lobe.
+/// The kernel feature for each lobe.
 struct LobeFeature {
     uint32_t lobe;
     uint32_t feature;
@@ -24,12 +24,12 @@ bool mayBeMirror(const Material& material) {
     return alpha < shared::kMirrorAlpha || material.roughnessTexture != Material::kNoTexture;
 }
 
-/// Where each of a material's textures goes, and what the kernel needs to read it there.
+/// The place of each of a material's textures, and the kernel feature that reads it there.
 struct PackedSlot {
     uint32_t Material::*texture;
     uint32_t shared::Material::*packed;
     uint32_t feature;
-    bool isOfGgx; ///< of no use to materials without that lobe
+    bool isOfGgx; ///< only for materials with a GGX lobe
 };
 constexpr PackedSlot kSlots[] = {
     {&Material::colorTexture, &shared::Material::colorTexture, shared::kFeatureColorTextures,
@@ -43,7 +43,7 @@ constexpr PackedSlot kSlots[] = {
 };
 static_assert(std::ranges::equal(kSlots, kMaterialTextures, {}, &PackedSlot::texture));
 
-/// Gives texture slots their packed index, and tells the kernel what it will find there.
+/// Sets the packed index of texture slots, and the kernel features that they need.
 class SlotPacker {
 public:
     SlotPacker(std::span<const Texture> sceneTextures, TexturePacker& textures,

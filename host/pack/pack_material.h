@@ -7,8 +7,8 @@
 
 namespace calotype {
 
-/// A material as the lobes that it is made of, and into `features` what they need of the kernel.
-/// The textures in use are added to `textures`.
+/// Packs a material as the lobes that it consists of. Adds the kernel features that they need to
+/// `features`, and the textures in use to `textures`.
 shared::Material packMaterial(const Material& material, std::span<const Texture> sceneTextures,
                               TexturePacker& textures, SceneFeatures& features);
 

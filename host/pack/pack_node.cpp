@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kMostCells = 255;
 
-/// Whether origin + cells * size lies above `place`, in exact arithmetic.
+/// Whether origin + cells * size is above `place`, in exact arithmetic.
 bool isAbove(double origin, double cellsTimesSize, double place) {
     // The sum's rounding error is a double (Knuth's two-sum); cells * size has 32 bits at most.
     const double sum = origin + cellsTimesSize;
@@ -18,7 +18,7 @@ bool isAbove(double origin, double cellsTimesSize, double place) {
     return sum > place || (sum == place && error > 0.0);
 }
 
-/// Along one axis: a grid of cells whose size is a power of two.
+/// One axis of the grid: cells whose size is a power of two.
 class Grid {
 public:
     Grid(double lower, double upper) : origin_(lower) {
@@ -28,14 +28,14 @@ public:
             ++exponent_;
     }
 
-    /// As the exponent of a float is stored.
+    /// The exponent in the form in which a float stores it.
     uint32_t biasedExponent() const { return static_cast<uint32_t>(exponent_ + 127); }
 
     /// The last cell boundary that is not above `place`.
     uint32_t cellsBelow(double place) const {
         auto cells =
             static_cast<int>(std::clamp((place - origin_) / size_, 0.0, double{kMostCells}));
-        // The quotient's rounding may be on either side of a boundary.
+        // The rounded quotient may be on either side of a boundary.
         while (cells > 0 && isAbove(origin_, cells * size_, place))
             --cells;
         while (cells < kMostCells && !isAbove(origin_, (cells + 1) * size_, place))

@@ -20,8 +20,8 @@ shared::Quadric withFrame(const RigidTransform& worldFromObject, const glm::dvec
     return quadric;
 }
 
-/// The centre is moved so that rounding the radius leaves the surface where it is on the side of
-/// the packed scene's origin.
+/// The centre is moved so that, after rounding of the radius, the side of the surface that faces
+/// the packed scene's origin stays in place.
 shared::Quadric pack(const Sphere& sphere, const glm::dvec3& origin) {
     shared::Quadric quadric = withFrame(sphere.worldFromObject, origin);
     quadric.kind = shared::kSphere;
@@ -59,8 +59,8 @@ shared::Quadric pack(const Disk& disk, const glm::dvec3& origin) {
     return quadric;
 }
 
-/// Unit normal of the triangle's front; zero where it has no area. The two shorter edges span it,
-/// so that a needle's does not suffer from the length of the third.
+/// Unit normal of the triangle's front; zero if it has no area. Computed from the two shorter
+/// edges, so that for a needle it does not depend on the rounding of the longest.
 glm::dvec3 normalOf(const glm::dvec3& v0, const glm::dvec3& v1, const glm::dvec3& v2) {
     const glm::dvec3 edges[] = {v1 - v0, v2 - v1, v0 - v2};
     int longest = 0;

@@ -8,7 +8,7 @@ namespace calotype {
 namespace {
 
 constexpr size_t kBytesPerRow = sizeof(glm::uvec4);
-/// Rows are named by 32 bits, and fetched by signed integers.
+/// Rows are numbered by 32 bits, and fetched by signed integers.
 constexpr size_t kMostRows = size_t{1} << 31;
 
 uint32_t flagsOf(const ImageTexture& texture) {

@@ -13,12 +13,12 @@
 
 namespace calotype {
 
-/// The textures that a scene's materials use, and the texels of their images, each image once.
+/// Packs the textures that a scene's materials use, and the texels of each image once.
 class TexturePacker {
 public:
     explicit TexturePacker(std::span<const Texture> textures) : textures_(textures) {}
 
-    /// The packed index of a texture, which is packed when it is asked for first.
+    /// The packed index of a texture. Packs the texture at the first call.
     uint32_t add(uint32_t texture);
 
     std::vector<shared::Texture> takePacked() { return std::move(packed_); }

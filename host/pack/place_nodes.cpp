@@ -5,7 +5,7 @@
 namespace calotype {
 namespace {
 
-/// Which slots hold nodes, one bit a slot.
+/// The slots that hold nodes, one bit each.
 uint64_t nodeSlots(const Bvh::Node& node) {
     uint64_t bits = 0;
     for (uint32_t slot = 0; slot < Bvh::kSlots; ++slot)
@@ -13,18 +13,18 @@ uint64_t nodeSlots(const Bvh::Node& node) {
     return bits;
 }
 
-/// The places from a first one on, of which 64 are looked at: those before are given away or
-/// given up.
+/// A window of 64 places, where children are placed. Places before the window are used or stay
+/// empty.
 class Window {
 public:
-    /// The base of the first free places that the slots' bits fit.
+    /// Returns the base of the first free places that fit the bits of the slots.
     uint32_t take(uint64_t slots) {
         uint32_t offset = 0;
         while ((slots << offset & taken_) != 0)
             ++offset;
         taken_ |= slots << offset;
         const uint32_t base = begin_ + offset;
-        // No family reaches farther than the highest of kSlots bits from where there is room.
+        // Moves the window so that the next children always fit into it.
         constexpr uint32_t kMostAhead = 64 - 2 * Bvh::kSlots;
         for (; (taken_ & 1) != 0 || taken_ >> kMostAhead != 0; taken_ >>= 1)
             ++begin_;

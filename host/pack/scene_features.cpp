@@ -2,7 +2,7 @@
 
 namespace calotype {
 
-// to_array: there must be as many names as numbers, so the table has no line without a feature.
+// to_array checks that there are as many names as features.
 const std::array<std::string_view, shared::kFeatureCount> kFeatureNames =
     std::to_array<std::string_view>({
 #define BEGIN_FEATURES

@@ -8,15 +8,15 @@
 
 namespace calotype {
 
-/// Which features of the kernel a scene needs, indexed by shared::kFeature...
+/// The kernel features that a scene needs, indexed by shared::kFeature...
 struct SceneFeatures {
     std::array<bool, shared::kFeatureCount> enabled{};
 
-    /// Everything compiled in: the kernel for any scene.
+    /// All features: the kernel for any scene.
     static SceneFeatures all();
 };
 
-/// Names for people, indexed like SceneFeatures::enabled.
+/// Display names, indexed like SceneFeatures::enabled.
 extern const std::array<std::string_view, shared::kFeatureCount> kFeatureNames;
 
 } // namespace calotype

@@ -9,9 +9,9 @@
 namespace calotype {
 namespace {
 
-/// One of the picture's two axes. A point at `along` the axis and `depth` before the focus is seen
-/// by a camera at `offset`, `distance` behind the focus, if |along - offset| <= tangent * (depth +
-/// distance): the largest sums bound both from below.
+/// One of the picture's two axes. A point at `along` on the axis, `depth` in front of the focus, is
+/// visible to a camera at `offset`, `distance` behind the focus, if |along - offset| <= tangent *
+/// (depth + distance). The largest sums give lower bounds for offset and distance.
 class Extent {
 public:
     explicit Extent(double tangent) : tangent_(tangent) {}

@@ -8,9 +8,9 @@
 
 namespace calotype {
 
-/// Moves the camera, whose directions and field of view stay, to the nearest place from where all
-/// `points` lie in the middle `share` of a square picture, centred; at least `clearance` before
-/// them. Focuses on `focus`.
+/// Moves the camera, without changing its directions and field of view, to the nearest position
+/// from which all `points` are in the middle `share` of a square picture, centred, and at least
+/// `clearance` in front of the camera. Focuses on `focus`.
 void frameCamera(Camera& camera, std::span<const glm::dvec3> points, double share, double clearance,
                  const glm::dvec3& focus);
 

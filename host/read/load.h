@@ -12,25 +12,25 @@
 
 namespace calotype {
 
-/// One `--set POINTER=VALUE` of the command line. The value is JSON, or else taken as a string.
+/// One `--set POINTER=VALUE` of the command line. The value is JSON, or else a string.
 struct SceneOverride {
     std::string pointer; ///< RFC 6901, such as "/materials/gold/roughness"
     std::string value;
 };
 
-/// What to do where the image file of a texture cannot be found.
-enum class MissingTextures : uint8_t { Fail, Warn }; ///< Warn: show magenta in its place
+/// What to do if the image file of a texture cannot be found.
+enum class MissingTextures : uint8_t { Fail, Warn }; ///< Warn: show magenta instead
 
 struct LoadOptions {
     MissingTextures missingTextures = MissingTextures::Fail;
     std::vector<SceneOverride> overrides;
-    std::optional<PictureSize> size; ///< in place of the scene's film
-    /// Called now and then with what is being read, e.g. "chair.obj", and the share done in [0, 1].
+    std::optional<PictureSize> size; ///< replaces that of the scene's film
+    /// Called from time to time with a file name such as "chair.obj", and the share done in [0, 1].
     std::function<void(const std::string& what, double done)> onProgress;
 };
 
-/// Reads a scene by the reader of its file's extension (see sceneReaders) and validates it. Throws
-/// SceneError with the place of the first mistake.
+/// Reads a scene with the reader for its file's extension (see sceneReaders) and validates it.
+/// Throws SceneError with the place of the first mistake.
 Scene loadScene(const std::string& path, const LoadOptions& options = {});
 
 } // namespace calotype

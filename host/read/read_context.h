@@ -15,7 +15,7 @@
 
 namespace calotype {
 
-/// What a reader of any format makes, and what its parts share while they read one file.
+/// The result of a reader of any format, and data that its parts share while they read one file.
 struct ReadContext {
     ReadContext(const LoadOptions& loadOptions, const std::string& path) : options(loadOptions) {
         scene.place = path;
@@ -24,10 +24,10 @@ struct ReadContext {
     const LoadOptions& options;
     Scene scene;
     Warnings warnings;
-    ContentHash hash; ///< of all that is read
+    ContentHash hash; ///< of all data that is read
 
-    /// Image files by path, and what is made of them (by path and recipe), each read once however
-    /// many textures name it.
+    /// Image files by path, and images made from them (by path and recipe). Each is read once for
+    /// all textures.
     std::map<std::string, std::shared_ptr<const TexelImage>> images = {};
 
     /// The scene with its hash, and the warnings.

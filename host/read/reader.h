@@ -10,21 +10,21 @@
 
 namespace calotype {
 
-/// What a reader makes of a file: a scene that is not validated yet, and notes about the file.
+/// The result of a reader: a scene that is not validated yet, and notes about the file.
 struct SceneAndNotes {
     Scene scene;
     Warnings notes;
 };
 
-/// One kind of file that holds a scene.
+/// One file format for scenes.
 struct SceneReader {
     std::string_view extension; ///< in lower case, such as ".obj"
     /// Throws SceneError with the place of the first mistake.
     SceneAndNotes (*read)(const std::string& path, const LoadOptions& options);
 };
 
-/// The list of readers. A new file format is a folder in read/ and a row here. Files of any other
-/// extension are read as scene files (JSON).
+/// The list of readers. A new file format needs a folder in read/ and a row here. Files with any
+/// other extension are read as scene files (JSON).
 std::span<const SceneReader> sceneReaders();
 
 } // namespace calotype

@@ -9,7 +9,7 @@
 namespace calotype {
 namespace {
 
-/// Above any that readTexelImage takes.
+/// More than any size that readTexelImage accepts.
 constexpr uintmax_t kLargestFile = uintmax_t{1} << 31;
 
 void failOrWarn(const std::string& name, const std::filesystem::path& directory,

@@ -8,19 +8,19 @@
 
 namespace calotype {
 
-/// The image that `name` means beside `directory` (see findFile), with the path that it was found
-/// at. Each file is read, decoded and hashed once.
+/// The image `name` relative to `directory` (see findFile), and the path at which it was found.
+/// Each file is read, decoded and hashed once.
 struct TextureFile {
     std::string path;
     std::shared_ptr<const TexelImage> image; ///< nullptr: missing
 };
 
-/// Throws SceneError at `where` for a missing file, unless the options say MissingTextures::Warn,
-/// and at the file's path for one that is not an image.
+/// Throws SceneError at `where` if the file is missing, unless the options have
+/// MissingTextures::Warn, and at the file's path if it is not an image.
 TextureFile readTextureFile(const std::string& name, const std::filesystem::path& directory,
                             const std::string& where, ReadContext& context);
 
-/// One texel of magenta, to show in place of a missing image.
+/// One texel of magenta, shown instead of a missing image.
 std::shared_ptr<const TexelImage> magentaImage();
 
 } // namespace calotype

@@ -8,11 +8,11 @@
 
 namespace calotype::reference {
 
-/// Where the line origin + t direction (unit length) runs inside the ball |p| <= radius about 0, of
-/// three dimensions or, as a circle, of two. A start within `tolerance` of the surface is on it.
+/// The interval of the line origin + t direction (unit length) in the ball |p| <= radius about 0,
+/// in three dimensions or, as circle, in two. An origin within `tolerance` of the surface is on it.
 ///
-/// Half way between both crossings the line is nearest to the centre; from there, half a chord away
-/// (Pythagoras), lie both.
+/// Half way between the crossings the line is nearest to the centre; each crossing is half a chord
+/// away from there (Pythagoras).
 template <int N>
 Interval insideBall(const glm::vec<N, double>& origin, const glm::vec<N, double>& direction,
                     double radius, double tolerance) {

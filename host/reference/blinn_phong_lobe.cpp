@@ -30,8 +30,7 @@ double BlinnPhongLobe::pdf(const glm::dvec3& wo, const glm::dvec3& wi) const {
     return halfVectorPdf / (4.0 * glm::dot(wo, h));
 }
 
-/// The cosine of the half vector is u^(1 / (n + 1)), with 1 - u in the place of u, as on the
-/// device.
+/// The cosine of the half vector is u^(1 / (n + 1)), with 1 - u instead of u, like on the device.
 Lobe::Sample BlinnPhongLobe::sample(const glm::dvec3& wo, const glm::dvec3& u) const {
     const glm::dvec3 h = directionAt(std::pow(1.0 - u.x, 1.0 / (exponent_ + 1.0)), u.y);
     return {glm::reflect(-wo, h)};

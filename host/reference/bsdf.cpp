@@ -95,7 +95,7 @@ void Bsdf::addLobes(const Material& material, const std::vector<Texture>& textur
     }
 }
 
-/// Lobes are chosen by what they scatter: kd / (kd + ks), and the like.
+/// Lobes are chosen by their albedos: kd / (kd + ks), and so on.
 void Bsdf::shareOut() {
     double total = 0.0;
     for (WeightedLobe& part : lobes_) {
@@ -120,7 +120,7 @@ bool Bsdf::transmits() const {
                                [](const WeightedLobe& part) { return part.lobe->transmits(); });
 }
 
-/// Reflected light leaves above the shaded and the true surface, transmitted light below both.
+/// Reflected light must leave above the shaded and the true surface, transmitted light below both.
 bool Bsdf::isScattered(const glm::dvec3& wi, const glm::dvec3& wiWorld) const {
     if (wo_.z <= 0.0)
         return false;

@@ -14,9 +14,9 @@
 
 namespace calotype::reference {
 
-/// A material at a point of a surface, its textures looked up, seen from one direction: a mixture
-/// of lobes. Directions are unit vectors in the world, away from the surface; densities are per
-/// solid angle.
+/// A material at a point of a surface, with its textures looked up, seen from one direction: a
+/// mixture of lobes. Directions are unit vectors in world space, away from the surface; densities
+/// are per solid angle.
 class Bsdf {
 public:
     struct Value {
@@ -26,9 +26,9 @@ public:
 
     struct Sample {
         glm::dvec3 wi{0.0};
-        glm::dvec3 weight{0.0}; ///< f |cos| / pdf; zero where nothing is scattered
+        glm::dvec3 weight{0.0}; ///< f |cos| / pdf; zero if nothing is scattered
         double pdf = 0.0;       ///< infinite for a specular direction
-        bool crosses = false;   ///< wi goes to the far side
+        bool crosses = false;   ///< wi is on the far side
         double eta = 1.0;       ///< index of refraction on wi's side over that on the viewer's
     };
 
@@ -38,22 +38,22 @@ public:
     /// The geometric normal on the viewer's side.
     const glm::dvec3& ng() const { return ng_; }
 
-    /// True where light comes from certain directions only.
+    /// True if light is scattered to certain directions only.
     bool isSpecular() const;
 
-    /// True where light samples from the far side count: some lobe has a density there.
+    /// True if light is also sampled from the far side: some lobe has a density there.
     bool transmits() const;
 
-    /// Specular light has no value at any direction.
+    /// Specular light has no value in any direction.
     Value evaluate(const glm::dvec3& wi) const;
 
-    /// u.x and u.y pick within a lobe, u.z the lobe; each in [0, 1).
+    /// u.z chooses the lobe, u.x and u.y the direction; each in [0, 1).
     Sample sample(const glm::dvec3& u) const;
 
 private:
     struct WeightedLobe {
         std::unique_ptr<Lobe> lobe;
-        double start = 0.0; ///< of the random numbers that choose the lobe
+        double start = 0.0; ///< of the random numbers that choose this lobe
         double end = 0.0;
 
         double chance() const { return end - start; }
@@ -71,7 +71,7 @@ private:
 
     std::vector<WeightedLobe> lobes_;
     glm::dvec3 ng_;
-    glm::dvec3 horizon_; ///< on the viewer's side; nothing is lit from below its plane
+    glm::dvec3 horizon_; ///< on the viewer's side; no light comes from below its plane
     glm::dmat3 worldFromShading_;
     glm::dvec3 wo_; ///< in the shading frame
 };
@@ -80,11 +80,11 @@ private:
 glm::dvec3 colorAt(const Material& material, const std::vector<Texture>& textures,
                    const glm::dvec2& uv);
 
-/// The share of light that meets the surface there, in [0, 1]; the rest passes through.
+/// The share of light that the surface scatters there, in [0, 1]; the rest passes through.
 double alphaAt(const Material& material, const std::vector<Texture>& textures,
                const glm::dvec2& uv);
 
-/// The unit shading normal with the material's normal map, on the side of ng.
+/// The unit shading normal after the material's normal map, on the side of ng.
 glm::dvec3 shadingNormal(const Material& material, const std::vector<Texture>& textures,
                          const Surface& surface);
 

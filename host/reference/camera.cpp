@@ -10,7 +10,7 @@
 namespace calotype::reference {
 namespace {
 
-/// What a filter of one dimension weighs from its centre to x >= 0, up to a factor; its support
+/// The integral of a one-dimensional filter from its centre to x >= 0, up to a factor; its support
 /// ends at `radius`.
 struct FilterIntegral {
     double radius;
@@ -36,7 +36,7 @@ FilterIntegral integralOf(FilmFilter filter) {
             }};
 }
 
-/// The distance from the centre, with sign, below which the share u of the filter lies.
+/// The signed distance from the centre with the share u of the filter below it.
 double invert(const FilterIntegral& filter, double u) {
     const double share = std::abs(2.0 * u - 1.0) * filter.upTo(filter.radius);
     double low = 0.0;
@@ -59,7 +59,7 @@ Ray cameraRay(const Camera& camera, const glm::uvec2& imageSize, const glm::dvec
     const double halfHeight =
         isOrthographic ? 0.5 * camera.viewHeight : std::tan(0.5 * camera.verticalFov);
     const glm::dvec2 size(imageSize);
-    // In half heights from the centre of the film, to the right and up.
+    // In half heights of the film, from its centre to the right and up.
     const glm::dvec2 onFilm((2.0 * filmPosition.x - size.x) / size.y,
                             1.0 - 2.0 * filmPosition.y / size.y);
     const glm::dvec3 aside = halfHeight * (onFilm.x * camera.right + onFilm.y * camera.up);

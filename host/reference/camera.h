@@ -8,12 +8,12 @@
 
 namespace calotype::reference {
 
-/// A position relative to a pixel's top left corner, in pixels: distributed as the filter, by
-/// inverting the integral of each of its two factors.
+/// A position relative to a pixel's top left corner, in pixels, distributed as the filter: inverts
+/// the integral of each of its two factors.
 glm::dvec2 samplePixel(FilmFilter filter, const glm::dvec2& u);
 
-/// The ray through a position on a film of `imageSize` pixels, measured in pixels from its top left
-/// corner, and the point of the lens that `uLens` picks. Unit direction.
+/// The ray through a position on a film of `imageSize` pixels, in pixels from its top left corner,
+/// and the point of the lens that `uLens` chooses. Unit direction.
 Ray cameraRay(const Camera& camera, const glm::uvec2& imageSize, const glm::dvec2& filmPosition,
               const glm::dvec2& uLens);
 

@@ -8,11 +8,11 @@
 #include "reference/interval.h"
 #include "reference/quadric.h"
 
-// With y counted from the apex towards the base, the endless cone is rho <= k y, where k is the
+// With y counted from the apex towards the base, the infinite cone is rho <= k y, where k is the
 // slope and rho the distance from the axis. Along a line, rho is convex and y linear, so the line
 // is inside on one interval. Its ends are among the roots of
 //     rho^2 - k^2 y^2 = a t^2 + 2 b t + c,
-// which also has those of the mirror image below the apex.
+// which also include those of the mirror image below the apex.
 
 namespace calotype::reference {
 namespace {
@@ -20,12 +20,12 @@ namespace {
 /// A difference of squares without cancellation of their leading digits.
 double differenceOfSquares(double x, double y) { return (x - y) * (x + y); }
 
-/// Where the line is inside beyond a single crossing: it climbs into the endless cone for good.
+/// The interval of a line with a single crossing: beyond it, the line stays inside.
 Interval beyond(double crossing, double dy) {
     return dy > 0.0 ? Interval{crossing, kInfinity} : Interval{-kInfinity, crossing};
 }
 
-/// `onSide` says that the origin is on the surface, so that one root is 0.
+/// `onSide`: the origin is on the surface, so that one root is 0.
 Interval insideEndlessCone(const glm::dvec3& o, const glm::dvec3& d, double k, bool onSide) {
     const double a = differenceOfSquares(std::hypot(d.x, d.z), k * d.y);
     const double b = o.x * d.x + o.z * d.z - k * k * o.y * d.y;
@@ -38,7 +38,7 @@ Interval insideEndlessCone(const glm::dvec3& o, const glm::dvec3& d, double k, b
     const bool isSteep = a <= 0.0; // steeper than the side, or parallel to a line of it
     if (discriminant < 0.0 && !isSteep)
         return Interval::nowhere();
-    // A steep line always meets both cones; through the apex, the discriminant is a rounded zero.
+    // A steep line always hits both cones; through the apex, the discriminant is a rounded zero.
     const double q = -(b + std::copysign(std::sqrt(std::max(discriminant, 0.0)), b));
     if (q == 0.0)
         return a < 0.0 ? beyond(0.0, d.y) : Interval::nowhere();
@@ -58,7 +58,7 @@ std::optional<double> intersect(const Cone& cone, const LocalRay& ray) {
     const double towardsBase = std::copysign(1.0, cone.height);
     glm::dvec3 o(ray.origin.x, towardsBase * ray.origin.y, ray.origin.z);
     const glm::dvec3 d(ray.direction.x, towardsBase * ray.direction.y, ray.direction.z);
-    // From far away b and c cancel, so the line is taken from its point nearest to the apex.
+    // From far away b and c cancel, so the line starts at its point nearest to the apex.
     const double reach = depth * std::hypot(1.0, cone.slope);
     const bool isFar = glm::length(o) > 4.0 * reach;
     const double shift = isFar ? -glm::dot(o, d) : 0.0;
@@ -93,7 +93,7 @@ LocalSurface surfaceNear(const Cone& cone, const glm::dvec3& p) {
     const double fromApex = y / std::abs(cone.height);
     side.uv = {turnsAboutY(p), cone.height > 0.0 ? fromApex : 1.0 - fromApex};
     side.dpdu = derivativeByTurns(side.position);
-    // v grows with y, by 1 over the height.
+    // v grows with y; its derivative is 1 over the height.
     side.dpdv = towardsBase * side.position / fromApex;
     return side;
 }

@@ -8,22 +8,22 @@
 
 #include "reference/quadric.h"
 
-/// What the texture coordinates of several quadrics have in common (scene-format.md).
+/// Functions for the texture coordinates of quadrics (docs/models.md, "Texture coordinates").
 namespace calotype::reference {
 
-/// atan2(z, x) in turns, in [0, 1). Either sign of a zero gives the same.
+/// atan2(z, x) in turns, in [0, 1). The sign of a zero does not matter.
 inline double turnsAboutY(const glm::dvec3& p) {
     const double turns = std::atan2(p.z + 0.0, p.x + 0.0) / (2.0 * std::numbers::pi);
     const double positive = turns < 0.0 ? turns + 1.0 : turns;
     return positive < 1.0 ? positive : 0.0;
 }
 
-/// dp/du where u is turnsAboutY.
+/// dp/du for u = turnsAboutY.
 inline glm::dvec3 derivativeByTurns(const glm::dvec3& p) {
     return 2.0 * std::numbers::pi * glm::dvec3(-p.z, 0.0, p.x);
 }
 
-/// A circle about the axis y through p, with the square around it as texture coordinates.
+/// A circle around the y axis through p; texture coordinates are the square around it.
 inline LocalSurface flatFace(const glm::dvec3& p, double radius, double outward) {
     return {p,
             {0.0, outward, 0.0},

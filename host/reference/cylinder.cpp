@@ -5,8 +5,8 @@
 #include "reference/coordinates.h"
 #include "reference/quadric.h"
 
-// The solid is what an endless cylinder and the slab between the caps have in common; seen along
-// the axis, the endless cylinder is a circle.
+// The solid is the intersection of an infinite cylinder and the slab between the caps. Projected
+// along the axis, the infinite cylinder is a circle.
 
 namespace calotype::reference {
 namespace {

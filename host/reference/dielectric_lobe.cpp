@@ -7,7 +7,7 @@
 namespace calotype::reference {
 namespace {
 
-/// What a smooth boundary does to light that meets it at cosThetaI > 0.
+/// Light at a smooth boundary, for cosThetaI > 0.
 struct Boundary {
     double reflectance; ///< of unpolarised light, by Fresnel's equations; 1 for total reflection
     double cosThetaT;   ///< by Snell's law; 0 for total reflection
@@ -36,7 +36,7 @@ Lobe::Sample DielectricLobe::sample(const glm::dvec3& wo, const glm::dvec3& u) c
     if (u.z < boundary.reflectance)
         return {{-wo.x, -wo.y, wo.z}, true, glm::dvec3(1.0)};
     const glm::dvec3 refracted(-wo.x / eta_, -wo.y / eta_, -boundary.cosThetaT);
-    // Radiance beyond the boundary is spread over another solid angle.
+    // Crossing the boundary changes the solid angle.
     return {refracted, true, tint_ / (eta_ * eta_), eta_};
 }
 

@@ -39,7 +39,7 @@ std::vector<PrimitiveName> namePrimitives(const Scene& scene) {
     return names;
 }
 
-/// Around a box of another frame.
+/// The bounds in world space of a box in another frame.
 Bounds3d inWorld(const Bounds3d& box, const RigidTransform& worldFromObject) {
     Bounds3d bounds;
     for (const double x : {box.lower.x, box.upper.x})
@@ -68,7 +68,7 @@ std::vector<Bounds3d> boxesOf(const Scene& scene, const std::vector<PrimitiveNam
     return boxes;
 }
 
-/// The rotation is orthogonal, so a product from the left is one with its inverse.
+/// The rotation is orthogonal, so a product from the left applies its inverse.
 LocalRay inFrame(const RigidTransform& worldFromObject, const Ray& ray) {
     const glm::dvec3 origin = (ray.origin - worldFromObject.translation) * worldFromObject.rotation;
     return {origin, ray.direction * worldFromObject.rotation,

@@ -12,8 +12,8 @@
 
 namespace calotype::reference {
 
-/// Primitives are numbered in the order of the scene file: shapes in their order, each quadric one,
-/// each mesh its triangles in theirs.
+/// Primitives are numbered in the order of the scene file: each quadric is one, each mesh has one
+/// for each triangle.
 struct Hit {
     double t;
     uint32_t primitive;
@@ -24,7 +24,7 @@ struct PrimitiveName {
     uint32_t triangle; ///< index into the mesh's triangles; 0 for a quadric
 };
 
-/// All shapes of a scene, for rays to meet. May be asked by many threads at once.
+/// All shapes of a scene, for ray intersection. Can be used by several threads at once.
 class Geometry {
 public:
     /// Keeps a reference to the scene.
@@ -37,14 +37,14 @@ public:
     /// Square metres, of one side.
     double areaOf(uint32_t number) const;
 
-    /// The first hit with t in (0, ray.length), and of several at the same t the one of the lowest
-    /// number. A ray that leaves a surface from `offsetFrom` does not meet it there again.
+    /// The first hit with t in (0, ray.length); among several at the same t, that of the lowest
+    /// number. A ray that leaves a surface from `offsetFrom` does not hit it again there.
     std::optional<Hit> closest(const Ray& ray) const;
 
     /// The surface at a hit of that ray.
     Surface surface(const Hit& hit, const Ray& ray) const;
 
-    /// Texture coordinates of a primitive at a point that lies on it but for rounding.
+    /// Texture coordinates of a primitive at a point that is on it, up to rounding.
     glm::dvec2 uvAt(uint32_t number, const glm::dvec3& point) const;
 
 private:

@@ -49,8 +49,8 @@ glm::dvec3 GgxLobe::f(const glm::dvec3& wo, const glm::dvec3& wi) const {
     return d(h.z) * g(wo.z, wi.z) / (4.0 * wo.z * wi.z) * fresnelSchlick(f0_, glm::dot(wo, h));
 }
 
-/// Of the half vectors that the viewer sees: D_visible(h) = G1 max(0, wo.h) D / cosThetaO with
-/// Smith's G1, times the Jacobian 1 / (4 wo.h).
+/// The density of visible half vectors: D_visible(h) = G1 max(0, wo.h) D / cosThetaO with Smith's
+/// G1, times the Jacobian 1 / (4 wo.h).
 double GgxLobe::pdf(const glm::dvec3& wo, const glm::dvec3& wi) const {
     if (isSpecular() || wi.z <= 0.0)
         return 0.0;
@@ -58,15 +58,14 @@ double GgxLobe::pdf(const glm::dvec3& wo, const glm::dvec3& wi) const {
     return smithG1 * d(halfVector(wo, wi).z) / (4.0 * wo.z);
 }
 
-/// F G1(wo)^2, the limit of no roughness; Smith's G1 tends to 1.
+/// F G1(wo)^2, the limit of zero roughness; Smith's G1 approaches 1.
 glm::dvec3 GgxLobe::mirrorWeight(double cosThetaO) const {
     const double masked = masking_ == Masking::Schlick ? square(g1(cosThetaO)) : 1.0;
     return masked * fresnelSchlick(f0_, cosThetaO);
 }
 
-/// A half vector that the viewer sees (Dupuy and Benyoub 2023). Stretched until the facets are a
-/// hemisphere, these are the sums of the viewer and the directions of a spherical cap, uniform on
-/// it.
+/// Samples a visible half vector (Dupuy and Benyoub 2023). In the space where the microfacets are a
+/// hemisphere, it is the sum of the viewer's direction and a uniform direction in a spherical cap.
 glm::dvec3 GgxLobe::sampleHalfVector(const glm::dvec3& wo, const glm::dvec2& u) const {
     const double a = alpha();
     const glm::dvec3 viewer = glm::normalize(glm::dvec3(a * wo.x, a * wo.y, wo.z));

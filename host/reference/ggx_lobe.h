@@ -11,7 +11,7 @@ namespace calotype::reference {
 glm::dvec3 fresnelSchlick(const glm::dvec3& f0, double cosTheta);
 
 /// Reflection by GGX microfacets, with Schlick's or Smith's masking (docs/models.md, "GGX" and "GGX
-/// masking"). Below kMirrorAlpha it is a mirror ("Mirror").
+/// masking"). Below kMirrorAlpha a mirror ("Mirror").
 class GgxLobe final : public Lobe {
 public:
     /// No unit: the tangent of a lobe's half width.

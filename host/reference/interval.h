@@ -9,7 +9,7 @@ namespace calotype::reference {
 
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Parameters t with enter <= t <= leave along a line: where it runs inside a convex solid.
+/// Parameters t with enter <= t <= leave: the part of a line inside a convex solid.
 struct Interval {
     double enter = -kInfinity; ///< by default the whole line
     double leave = kInfinity;
@@ -23,7 +23,7 @@ inline Interval intersection(const Interval& a, const Interval& b) {
     return {std::max(a.enter, b.enter), std::min(a.leave, b.leave)};
 }
 
-/// Where lower <= y + t dy <= upper. A start within `tolerance` of a plane is on it.
+/// The interval with lower <= y + t dy <= upper. An origin within `tolerance` of a plane is on it.
 inline Interval insideSlab(double y, double dy, double lower, double upper, double tolerance) {
     if (dy == 0.0)
         return lower <= y && y <= upper ? Interval() : Interval::nowhere();
@@ -33,8 +33,8 @@ inline Interval insideSlab(double y, double dy, double lower, double upper, doub
     return Interval::between(crossing(lower), crossing(upper));
 }
 
-/// The first t > 0 at which a ray crosses the boundary of the solid that it is inside of in
-/// `inside`. A start on the boundary, at t = 0, is no crossing.
+/// The first t > 0 at which a ray crosses the boundary of a solid; `inside` is the interval of its
+/// line in the solid. An origin on the boundary, at t = 0, is not a crossing.
 inline std::optional<double> firstCrossing(const Interval& inside) {
     if (inside.enter > inside.leave || inside.leave <= 0.0)
         return std::nullopt;

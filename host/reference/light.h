@@ -8,46 +8,46 @@
 
 namespace calotype::reference {
 
-/// Something that shines. Directions `wi` are unit vectors from a reference point to the light;
-/// radiances are in W/(m^2 sr).
+/// A light source. Directions `wi` are unit vectors from a reference point to the light; radiances
+/// are in W/(m^2 sr).
 class Light {
 public:
-    /// A place on the light, and the unit normal of the front there. Of no meaning where the light
-    /// is infinitely far away.
+    /// A point on the light, and the unit normal of its front. Not used if the light is infinitely
+    /// far away.
     struct Point {
         glm::dvec3 position{0.0};
         glm::dvec3 normal{0.0};
     };
 
-    /// A direction in which light may come to a reference point.
+    /// A sampled direction from a reference point to the light.
     struct Sample {
         glm::dvec3 wi{0.0};
         Point point;
-        double pdf = 0.0; ///< per solid angle at the reference point; 0 where it is not seen
+        double pdf = 0.0; ///< per solid angle at the reference point; 0 if not visible from there
     };
 
     explicit Light(std::optional<uint32_t> primitive = {}) : primitive_(primitive) {}
     virtual ~Light() = default;
 
-    /// None of a light that is infinitely far away.
+    /// None for a light that is infinitely far away.
     std::optional<uint32_t> primitive() const { return primitive_; }
 
     /// u in [0, 1)^2.
     virtual Sample sample(const glm::dvec3& reference, const glm::dvec2& u) const = 0;
 
-    /// The density with which `sample` chooses what the direction wi meets of the light.
+    /// The density with which `sample` chooses the point of the light in direction wi.
     virtual double pdf(const glm::dvec3& reference, const glm::dvec3& wi,
                        const Point& point) const = 0;
 
-    /// What arrives from there if nothing stands in the way.
+    /// The radiance that arrives from `point` if nothing blocks it.
     virtual glm::dvec3 radiance(const glm::dvec3& wi, const Point& point) const = 0;
 
-    /// The largest of any channel, point and direction.
+    /// The largest radiance of any channel, point and direction.
     virtual double maxRadiance() const = 0;
 
     virtual bool isHiddenFromCamera() const { return false; }
 
-    double selectionProbability = 0.0; ///< with which it is chosen; 1 where all are
+    double selectionProbability = 0.0; ///< of choosing this light; 1 if all lights are sampled
 
 private:
     std::optional<uint32_t> primitive_;

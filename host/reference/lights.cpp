@@ -14,7 +14,7 @@
 namespace calotype::reference {
 namespace {
 
-constexpr uint64_t kNumbers = uint64_t{1} << 24; ///< that a uniform random number may be
+constexpr uint64_t kNumbers = uint64_t{1} << 24; ///< possible values of a uniform random number
 
 bool isPositive(double value) { return value > 0.0; }
 
@@ -33,7 +33,7 @@ Lights::Lights(const Scene& scene, const Geometry& geometry, LightChoice choice)
             light->selectionProbability = 1.0;
 }
 
-/// A lamp that is off is no light, but still hidden from the camera if it says so.
+/// A light that is off emits nothing, but can still be hidden from the camera.
 void Lights::add(uint32_t primitive, const Material& material) {
     if (material.emission == glm::dvec3(0.0) && material.visibleToCamera)
         return;
@@ -46,7 +46,7 @@ void Lights::add(uint32_t primitive, const Material& material) {
     lights_.push_back(std::move(light));
 }
 
-/// What the background sends through the sphere about the scene, but at most as much as all others.
+/// Its power is the radiance through the sphere around the scene, at most that of all other lights.
 void Lights::addBackground() {
     if (scene_.background == glm::dvec3(0.0))
         return;
@@ -59,8 +59,8 @@ void Lights::addBackground() {
     background_ = lights_.back().get();
 }
 
-/// Each light that shines gets one of the random numbers, and of the others its share, rounded
-/// down; what is left goes round in order.
+/// Each emitting light gets one of the random numbers, then its share of the others, rounded down;
+/// the rest goes to the lights in turn.
 std::vector<uint64_t> Lights::dealNumbers() const {
     std::vector<uint64_t> dealt(powers_.size(), 0);
     const double sum = std::accumulate(powers_.begin(), powers_.end(), 0.0);

@@ -21,27 +21,27 @@ public:
     bool empty() const { return lights_.empty(); }
     const std::vector<std::unique_ptr<Light>>& all() const { return lights_; }
 
-    /// Of any channel, W/(m^2 sr); 0 without lights.
+    /// The largest radiance of any channel, W/(m^2 sr); 0 without lights.
     double maxRadiance() const;
 
-    /// The light that a primitive is; nullptr for one that does not shine.
+    /// The light of a primitive; nullptr if it does not emit.
     const Light* ofPrimitive(uint32_t primitive) const { return ofPrimitive_[primitive]; }
 
-    /// The light that rays find which meet no surface; nullptr if there is none.
+    /// The light for rays that hit no surface; nullptr if there is none.
     const Light* background() const { return background_; }
 
     struct Choice {
         const Light& light;
-        double u; ///< in [0, 1): where among the random numbers that choose the light there
+        double u; ///< uniform in [0, 1), also given that this light was chosen
     };
 
-    /// Chosen by power, by a column of an alias table (Walker 1974, Vose 1991). u.x, a multiple of
-    /// 2^-24, chooses; u.y picks between that number and the next.
+    /// Chooses a light by power, through a column of an alias table (Walker 1974, Vose 1991). u.x,
+    /// a multiple of 2^-24, chooses; u.y interpolates between that number and the next.
     Choice choose(const glm::dvec2& u) const;
 
 private:
-    /// Of the alias table: random numbers, in units of 2^-24, from `first` up to but not including
-    /// `end`. Those from `aliasFrom` on choose the alias.
+    /// A column of the alias table: random numbers, in units of 2^-24, from `first` up to but not
+    /// including `end`. Those from `aliasFrom` on choose the alias.
     struct Column {
         uint64_t first = 0;
         uint64_t aliasFrom = 0;
@@ -58,7 +58,7 @@ private:
     const Geometry& geometry_;
     std::vector<std::unique_ptr<Light>> lights_;
     std::vector<double> powers_;            ///< of each light, up to a common factor
-    std::vector<const Light*> ofPrimitive_; ///< nullptr for one that does not shine
+    std::vector<const Light*> ofPrimitive_; ///< nullptr if the primitive does not emit
     const Light* background_ = nullptr;
     std::vector<Column> columns_;
 };

@@ -8,7 +8,7 @@
 namespace calotype::reference {
 namespace {
 
-/// The first corner plus edges, lest corners far away round more than the triangle is large.
+/// The first corner plus edges: for far corners, rounding could exceed the size of the triangle.
 glm::dvec3 positionAt(const Corners& corners, const glm::dvec3& weights) {
     return corners[0] +
            (weights.y * (corners[1] - corners[0]) + weights.z * (corners[2] - corners[0]));
@@ -30,9 +30,9 @@ void setCoordinates(Surface& surface, const Corners& corners, const glm::dvec2 (
     surface.dpdv = (uv1.x * edge2 - uv2.x * edge1) / determinant;
 }
 
-/// The smooth surface through the corners that is perpendicular to the normals there: the mean of
-/// the point's projections onto the corners' tangent planes, as far as it lies below them, seen
-/// from the viewer's side (Hanika 2021, "Hacking the Shadow Terminator").
+/// The smooth surface through the corners, perpendicular to their normals: the mean of the point's
+/// projections onto the corners' tangent planes, where the point is below them on the viewer's side
+/// (Hanika 2021, "Hacking the Shadow Terminator").
 glm::dvec3 fromTriangleToSmooth(const glm::dvec3& position, const Corners& corners,
                                 const glm::dvec3 (&normals)[3], const glm::dvec3& weights) {
     glm::dvec3 sum(0.0);

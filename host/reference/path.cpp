@@ -16,8 +16,8 @@ namespace {
 
 double greatest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
-/// The weight of a sample by one strategy where another might have found it too: the power
-/// heuristic with exponent 2 (Veach 1997, section 9.2.2).
+/// The weight of a sample of one strategy if another could have found it too: the power heuristic
+/// with exponent 2 (Veach 1997, section 9.2.2).
 double powerHeuristic(double pdf, double otherPdf) {
     const double ratio = otherPdf / pdf;
     return 1.0 / (1.0 + ratio * ratio);
@@ -31,7 +31,7 @@ bool isTransparent(const Material& material) {
     return material.opacity < 1.0 || material.alphaTexture != Material::kNoTexture;
 }
 
-/// Points off a surface from which light goes on. The viewer's side starts from the smooth surface.
+/// Origins of rays that leave a surface. On the viewer's side they are off the smooth surface.
 struct Departure {
     glm::dvec3 viewerSide;
     glm::dvec3 farSide;
@@ -57,7 +57,7 @@ public:
     }
 
 private:
-    /// Follows the ray to the next surface. False where the path ends.
+    /// Traces the ray to the next surface. False if the path ends.
     bool extend() {
         ++result_.rays;
         const std::optional<Hit> hit = setup_.geometry.closest(ray_);
@@ -74,8 +74,8 @@ private:
         return bounce_ < setup_.maxBounces && scatter(surface);
     }
 
-    /// The share of light found at the ray's end that is this strategy's, where a light sample
-    /// would have found it with the density `lightPdf`.
+    /// The weight of light found at the ray's end by BSDF sampling, if light sampling would have
+    /// found it with the density `lightPdf`.
     double bsdfShare(double lightPdf) const {
         const bool isOnlyStrategy = bounce_ == 0 || std::isinf(bsdfPdf_) || lightPdf == 0.0;
         if (isOnlyStrategy)
@@ -83,7 +83,7 @@ private:
         return setup_.transport.usesMis ? powerHeuristic(bsdfPdf_, lightPdf) : 0.0;
     }
 
-    /// Light found after so many events, less what the clamp takes off.
+    /// Adds light found after this many events, clamped.
     void addLight(const glm::dvec3& found, uint32_t events) {
         const double limit = setup_.transport.indirectClamp;
         const double most = greatest(found);
@@ -100,7 +100,7 @@ private:
             addFound(*light, {surface.position, surface.ng});
     }
 
-    /// Light that the ray met.
+    /// Adds light that the ray hit.
     void addFound(const Light& light, const Light::Point& point) {
         const double pdf = light.pdf(vertex_, ray_.direction, point);
         addLight(throughput_ * light.radiance(ray_.direction, point) *
@@ -120,7 +120,7 @@ private:
         return u >= alphaAt(material, setup_.scene.textures, surface.uv);
     }
 
-    /// Lights the surface and sends the path on. False where it ends.
+    /// Adds the direct light of the surface and samples the next direction. False if the path ends.
     bool scatter(const Surface& surface) {
         const Material& material = setup_.scene.materials[surface.material];
         const Bsdf bsdf(material, setup_.scene.textures, surface, -ray_.direction);
@@ -132,15 +132,15 @@ private:
         const Bsdf::Sample scattered = bsdf.sample(glm::dvec3(u));
         throughput_ *= scattered.weight;
         vertex_ = scattered.crosses ? from.farSide : from.viewerSide;
-        ray_ = {vertex_, glm::normalize(scattered.wi)}; // or roundings add up, bounce by bounce
+        ray_ = {vertex_, glm::normalize(scattered.wi)}; // otherwise rounding errors accumulate
         bsdfPdf_ = scattered.pdf;
         radianceScale_ *= scattered.eta * scattered.eta;
         ++bounce_;
         return survives(u.w);
     }
 
-    /// Russian roulette, from the third event on, of paths that carry less than a quarter, not
-    /// counting what only the solid angle within glass changes.
+    /// Russian roulette, from the third event on, for paths with a throughput below a quarter. The
+    /// scaling of radiance inside glass does not count.
     bool survives(double u) {
         constexpr uint32_t kFirstEvent = 3;
         constexpr double kQuarter = 0.25;
@@ -151,8 +151,8 @@ private:
         return greatest(throughput_) > 0.0;
     }
 
-    /// Whether all of the surface's own primitive lies in or below its plane there, seen from the
-    /// side of the normal `outward`: true but for the inside of a closed quadric.
+    /// Whether the surface's whole primitive is in or below its tangent plane there, on the side of
+    /// the normal `outward`: true except inside a closed quadric.
     bool isConvexTowards(const Surface& surface, const glm::dvec3& outward) const {
         const PrimitiveName name = setup_.geometry.primitive(surface.primitive);
         const auto& shape = setup_.scene.shapes[name.shape].geometry;
@@ -161,7 +161,7 @@ private:
         return isFlat || glm::dot(outward, surface.ng) > 0.0;
     }
 
-    /// Light from one point of the light that is chosen, or of each, scattered towards the viewer.
+    /// Light from one point on the chosen light, or on each light, scattered towards the viewer.
     glm::dvec3 directLight(const Surface& surface, const Bsdf& bsdf, const Departure& from) {
         if (setup_.transport.lightChoice != LightChoice::All) {
             const glm::dvec4 u = bounceNumbers(id_, bounce_, BounceDimension::Light);
@@ -176,8 +176,8 @@ private:
         return sum;
     }
 
-    /// Looks for the light from the viewer's side, or from the far side if it lies there and the
-    /// material lets it through.
+    /// Samples the light from the viewer's side, or from the far side if it is there and the
+    /// material transmits.
     glm::dvec3 lightFrom(const Light& light, const Surface& surface, const Bsdf& bsdf,
                          const Departure& from, const glm::dvec2& u) {
         glm::dvec3 outward = bsdf.ng();
@@ -192,7 +192,7 @@ private:
             return glm::dvec3(0.0);
         if (sample.pdf <= 0.0)
             return glm::dvec3(0.0);
-        if (ray.length == 0.0) // where a light touches the surface there is nothing between
+        if (ray.length == 0.0) // the light touches the surface: nothing is between them
             return glm::dvec3(0.0);
         const Bsdf::Value scattered = bsdf.evaluate(ray.direction);
         const glm::dvec3 radiance = scattered.value * arrivingRadiance(light, sample.point, ray);
@@ -214,7 +214,7 @@ private:
         return {origin, length > 0.0 ? way / length : -point.normal, length};
     }
 
-    /// What the light sends back along the ray, with its own cut-outs.
+    /// The radiance of the light along the ray, with the alpha of its own surface.
     glm::dvec3 arrivingRadiance(const Light& light, const Light::Point& point,
                                 const Ray& ray) const {
         const glm::dvec3 radiance = light.radiance(ray.direction, point);
@@ -228,8 +228,8 @@ private:
         return radiance * alphaAt(material, setup_.scene.textures, uv);
     }
 
-    /// The share of light that comes along the ray from its end: the product of 1 - alpha over all
-    /// surfaces but the light's own.
+    /// The share of light that passes along the ray: the product of 1 - alpha over all surfaces
+    /// except the light's own.
     double transmittance(Ray ray, const Light& light) {
         const glm::dvec3 end = ray.origin + ray.length * ray.direction;
         double share = 1.0;
@@ -259,8 +259,8 @@ private:
     glm::dvec3 vertex_{0.0}; ///< where the last event sent the ray from
     glm::dvec3 throughput_{1.0};
     uint32_t bounce_ = 0;
-    double radianceScale_ = 1.0; ///< by which crossing boundaries has divided the throughput
-    double bsdfPdf_ = 0.0;       ///< with which the ray's direction was chosen, per solid angle
+    double radianceScale_ = 1.0; ///< by which refraction has divided the throughput so far
+    double bsdfPdf_ = 0.0;       ///< of the ray's direction, per solid angle
     PathSample result_;
 };
 

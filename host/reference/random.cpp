@@ -11,7 +11,7 @@ constexpr uint32_t kCameraGroup = 0;
 constexpr uint32_t kFirstBounceGroup = 8;
 constexpr uint32_t kGroupsPerBounce = 8;
 
-/// One round of mixing: each word takes in the product of two others.
+/// One round of mixing: adds to each word the product of two others.
 void mix(Words& w) {
     w[0] += w[1] * w[3];
     w[1] += w[2] * w[0];
@@ -48,7 +48,7 @@ uint32_t reversed(uint32_t bits) {
     return result;
 }
 
-/// The fraction, as 32 bits, scrambled as Owen's permutation trees do, by a hash (Burley 2020,
+/// The fraction, as 32 bits, scrambled like Owen's permutation trees, by a hash (Burley 2020,
 /// "Practical Hash-based Owen Scrambling", with the constants of Vegdahl 2021).
 uint32_t owenScrambled(uint32_t fraction, uint32_t seed) {
     uint32_t x = reversed(fraction);
@@ -68,7 +68,7 @@ uint32_t sobolY(uint32_t index) {
     return y;
 }
 
-/// Blocks of 16 samples belong to eight replicas in turn, each with an index of its own.
+/// Blocks of 16 samples belong to eight replicas in turn; each replica has its own index.
 glm::dvec2 sobolPoint(const SampleId& id, uint32_t use) {
     constexpr uint32_t kBlock = 16;
     constexpr uint32_t kReplicas = 8;

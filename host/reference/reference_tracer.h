@@ -16,9 +16,9 @@
 
 namespace calotype::reference {
 
-/// A path tracer in double precision, straight from the scene: what the device's is judged by. It
-/// draws the device's random numbers and puts them to the device's use, so that single paths can be
-/// compared; all else is written anew.
+/// A path tracer in double precision, directly from the scene, to test the device's results. It
+/// uses the device's random numbers for the same purposes, so that single paths can be compared;
+/// everything else is implemented independently.
 class ReferenceTracer {
 public:
     /// Keeps a reference to the scene. `imageSize` is that of the whole film.
@@ -33,10 +33,10 @@ public:
     /// One sample of one pixel. May be called from several threads.
     PathSample trace(const SampleId& id) const;
 
-    /// What the ray through the pixel's centre and the lens's meets first.
+    /// The first hit of the ray through the centres of the pixel and of the lens.
     FirstHit firstHit(const glm::uvec2& pixel) const { return firstHitAt(glm::dvec2(pixel) + 0.5); }
 
-    /// Likewise through any position on the film, in pixels from its top left corner.
+    /// The same through any position on the film, in pixels from its top left corner.
     FirstHit firstHitAt(const glm::dvec2& filmPosition) const;
 
 private:

@@ -20,18 +20,18 @@ glm::dvec3 inObject(const RigidTransform& worldFromObject, const glm::dvec3& wor
     return glm::transpose(worldFromObject.rotation) * (world - worldFromObject.translation);
 }
 
-/// In the plane of a cap at height y.
+/// A point in the plane of a cap at height y.
 glm::dvec3 onCap(double radius, double y, const glm::dvec2& u) {
     const glm::dvec2 p = radius * warpToDisk(u);
     return {p.x, y, p.y};
 }
 
-/// The horizontal unit vector at the angle of `turns` about +Y, from x towards z.
+/// The horizontal unit vector at an angle of `turns` about +Y, from x towards z.
 glm::dvec3 aroundAxis(double turns) {
     return {std::cos(2.0 * kPi * turns), 0.0, std::sin(2.0 * kPi * turns)};
 }
 
-/// 1 - cos of the half angle under which a sphere is seen whose sine is r / distance.
+/// 1 - cos of the half angle that a sphere subtends; its sine is r / distance.
 double oneMinusConeCosine(double sin2) { return sin2 / (1.0 + std::sqrt(1.0 - sin2)); }
 
 double seenSin2(const Sphere& sphere, const glm::dvec3& reference) {
@@ -46,7 +46,7 @@ ShapePoint samplePoint(const Sphere& sphere, const glm::dvec2& u) {
     return inWorld(sphere.worldFromObject, sphere.radius * normal, normal);
 }
 
-/// u.x runs over the lower cap, the side, and the upper cap backwards, each by its area.
+/// u.x covers the lower cap, the side, and the upper cap backwards, in proportion to their areas.
 ShapePoint samplePoint(const Cylinder& cylinder, const glm::dvec2& u) {
     const double r = cylinder.radius;
     const double h = cylinder.height;
@@ -62,8 +62,8 @@ ShapePoint samplePoint(const Cylinder& cylinder, const glm::dvec2& u) {
     return inWorld(cylinder.worldFromObject, r * outward + glm::dvec3(0.0, y, 0.0), outward);
 }
 
-/// u.x runs over the base and the side, each by its area; circles of the side grow with their
-/// distance from the apex.
+/// u.x covers the base and the side, in proportion to their areas; the circumference of the side
+/// grows with the distance from the apex.
 ShapePoint samplePoint(const Cone& cone, const glm::dvec2& u) {
     const double h = cone.height;
     const double r = cone.slope * std::abs(h);
@@ -95,9 +95,9 @@ double sphereConePdf(const Sphere& sphere, const glm::dvec3& reference) {
     return 1.0 / (2.0 * kPi * oneMinusConeCosine(seenSin2(sphere, reference)));
 }
 
-/// Seen under the angle theta off the axis from `reference` to the centre, the near point of the
-/// sphere makes the angle beta - theta with it at the centre; by the law of sines, sin beta is
-/// sin theta / sin thetaMax.
+/// Let theta be the angle at `reference` from the axis, which goes to the centre. The near point of
+/// the sphere in that direction is at the angle beta - theta to the axis at the centre; by the law
+/// of sines, sin beta is sin theta / sin thetaMax.
 ShapePoint sampleSeenSphere(const Sphere& sphere, const glm::dvec3& reference,
                             const glm::dvec2& u) {
     const double sin2Max = seenSin2(sphere, reference);
@@ -113,7 +113,7 @@ ShapePoint sampleSeenSphere(const Sphere& sphere, const glm::dvec3& reference,
     return {sphere.worldFromObject.translation + sphere.radius * normal, normal};
 }
 
-/// By the squares that seenSin2 divides: outside, their ratio is 1 at most.
+/// Compares the squares that seenSin2 divides: outside, their ratio is at most 1.
 bool contains(const Sphere& sphere, const glm::dvec3& point) {
     const glm::dvec3 away = point - sphere.worldFromObject.translation;
     return glm::dot(away, away) < sphere.radius * sphere.radius;

@@ -7,28 +7,28 @@
 
 namespace calotype::reference {
 
-/// A point on the surface of a shape, in the world, and the unit normal there (outward, or the
-/// front's).
+/// A point on the surface of a shape, in world space, and the unit normal there (outward, or that
+/// of the front).
 struct ShapePoint {
     glm::dvec3 position;
     glm::dvec3 normal;
 };
 
-/// Uniform on the shape's area; `u` in [0, 1)^2 picks the point as on the device.
+/// Uniform on the shape's area; `u` in [0, 1)^2 chooses the same point as on the device.
 ShapePoint samplePoint(const Sphere& sphere, const glm::dvec2& u);
 ShapePoint samplePoint(const Cylinder& cylinder, const glm::dvec2& u);
 ShapePoint samplePoint(const Cone& cone, const glm::dvec2& u);
 ShapePoint samplePoint(const Disk& disk, const glm::dvec2& u);
 ShapePoint samplePoint(const Mesh& mesh, uint32_t triangle, const glm::dvec2& u);
 
-/// The point of the sphere that is seen from `reference`, outside, in a direction that is uniform
-/// in the cone that the sphere fills; its density per solid angle is sphereConePdf.
+/// The point of the sphere that `reference`, which must be outside, sees in a direction that is
+/// uniform in the cone of the sphere; its density per solid angle is sphereConePdf.
 ShapePoint sampleSeenSphere(const Sphere& sphere, const glm::dvec3& reference, const glm::dvec2& u);
 
-/// 1 / the solid angle under which the sphere is seen from `reference`, outside.
+/// 1 / the solid angle that the sphere subtends from `reference`, which must be outside.
 double sphereConePdf(const Sphere& sphere, const glm::dvec3& reference);
 
-/// True where `point` lies inside. A disk or triangle has no inside.
+/// True if `point` is inside. A disk or triangle has no inside.
 bool contains(const Sphere& sphere, const glm::dvec3& point);
 bool contains(const Cylinder& cylinder, const glm::dvec3& point);
 bool contains(const Cone& cone, const glm::dvec3& point);

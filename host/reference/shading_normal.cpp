@@ -25,9 +25,9 @@ glm::dvec3 mappedNormal(const glm::dvec3& texel, const glm::dvec3& n, const glm:
 }
 
 glm::dvec3 consistentNormal(const glm::dvec3& wo, const glm::dvec3& ng, const glm::dvec3& ns) {
-    constexpr double kLeastShare = 0.02;  // of the viewer's cosine to ng
-    constexpr double kLeastCosine = 1e-6; // the device's rounding of a cosine, which it stays above
-    constexpr double kLeastLength2 = 1e-4; // left of a direction straight down, squared
+    constexpr double kLeastShare = 0.02;   // of the viewer's cosine to ng
+    constexpr double kLeastCosine = 1e-6;  // above the device's rounding of a cosine
+    constexpr double kLeastLength2 = 1e-4; // remainder of a direction straight down, squared
     const glm::dvec3 mirrored = glm::reflect(-wo, ns);
     const double height = glm::dot(mirrored, ng);
     double lowest = std::max(kLeastShare * glm::dot(wo, ng), kLeastCosine);

@@ -12,8 +12,8 @@
 namespace calotype::reference {
 namespace {
 
-/// A density per area, 1 / area, as one per solid angle (docs/models.md, "Direct
-/// light"). Zero edge on, and where the point is the reference itself.
+/// The density per area, 1 / area, converted to solid angle (docs/models.md, "Direct light"). Zero
+/// if seen edge-on, and if the point is the reference itself.
 double solidAnglePdf(double area, const glm::dvec3& reference, const glm::dvec3& position,
                      const glm::dvec3& normal) {
     const glm::dvec3 d = position - reference;
@@ -23,7 +23,7 @@ double solidAnglePdf(double area, const glm::dvec3& reference, const glm::dvec3&
     return cosTheta > 0.0 ? glm::dot(d, d) / (cosTheta * area) : 0.0;
 }
 
-/// Whether a closed shape hides its own point, whose outward normal is given, from `reference`.
+/// Whether a closed shape hides its own point, with the given outward normal, from `reference`.
 template <typename Geometry>
 bool hidesItself(const Geometry& geometry, const glm::dvec3& reference, const glm::dvec3& position,
                  const glm::dvec3& normal) {
@@ -33,7 +33,7 @@ bool hidesItself(const Geometry& geometry, const glm::dvec3& reference, const gl
         return glm::dot(reference - position, normal) < 0.0 && !contains(geometry, reference);
 }
 
-/// Spheres are sampled by the cone in which they are seen, from outside.
+/// From outside, spheres are sampled by the cone that they subtend.
 template <typename Geometry>
 bool isSeenAsCone(const Geometry& geometry, const glm::dvec3& reference) {
     if constexpr (std::is_same_v<Geometry, Sphere>)

@@ -8,7 +8,7 @@ namespace calotype::reference {
 /// A primitive that emits (docs/models.md, "Triangle light", "Sphere light" and "Quadric lights").
 class ShapeLight final : public Light {
 public:
-    /// Keeps a reference to the shape. `triangle` is the one of a mesh; `area` in m^2.
+    /// Keeps a reference to the shape. `triangle` is that of a mesh; `area` is in m^2.
     ShapeLight(uint32_t primitive, const Shape& shape, uint32_t triangle, double area,
                const Material& material);
 

@@ -18,8 +18,8 @@ LocalSurface surfaceNear(const Sphere& sphere, const glm::dvec3& p) {
     LocalSurface surface;
     surface.normal = glm::normalize(p);
     surface.position = sphere.radius * surface.normal;
-    // v = theta / pi with the angle theta from -y, so y = -r cos(theta), and r sin(theta) is the
-    // distance from the axis.
+    // v = theta / pi, where theta is the angle from -y. So y = -r cos(theta), and r sin(theta) is
+    // the distance from the axis.
     const double x = surface.position.x;
     const double y = surface.position.y;
     const double z = surface.position.z;

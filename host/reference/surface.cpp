@@ -8,7 +8,7 @@
 namespace calotype::reference {
 
 glm::dvec3 offsetFrom(const glm::dvec3& from, const glm::dvec3& normalOnThatSide) {
-    constexpr double kUnitInTheLastPlace = 0x1p-52; // of a number from 1 to 2, the most relatively
+    constexpr double kUnitInTheLastPlace = 0x1p-52; // from 1 to 2: relatively the largest
     const double magnitude = std::max({std::abs(from.x), std::abs(from.y), std::abs(from.z)});
     return from + 32.0 * kUnitInTheLastPlace * magnitude * normalOnThatSide;
 }

@@ -12,9 +12,9 @@
 
 namespace calotype::reference {
 
-/// A ray as thick as all roundings on the way, so that it meets the box of every shape that it is
-/// found to hit: the shape and the box are each seen from the origin within a few operations on
-/// coordinates no larger than those of the origin and of the scene together.
+/// A ray as thick as all its rounding errors, so that it hits the bounding box of every shape that
+/// it hits: the shape and the box are computed within a few operations on coordinates no larger
+/// than those of the origin and of the scene together.
 class ThickRay {
 public:
     /// `sceneMagnitude` is the largest coordinate in the scene.
@@ -24,13 +24,13 @@ public:
         const glm::dvec3 halfWidth(kSurfaceTolerance * magnitude);
         upperSide_ = ray.origin + halfWidth;
         lowerSide_ = ray.origin - halfWidth;
-        // Infinite where the ray does not move: then all planes lie infinitely far before or
-        // behind. One exactly at a side gives no number, and either answer will do: it is not
-        // reached.
+        // Infinite if the ray does not move on an axis: then all planes are infinitely far ahead or
+        // behind. For a plane exactly at a side the result is NaN, and either answer is correct,
+        // because that side is never reached.
         inverse_ = 1.0 / ray.direction;
     }
 
-    /// Whether part of the ray up to t = `reach` lies in the box.
+    /// Whether part of the ray up to t = `reach` is in the box.
     bool meets(const Bounds3d& box, double reach) const {
         const glm::dvec3 toLower = (box.lower - upperSide_) * inverse_;
         const glm::dvec3 toUpper = (box.upper - lowerSide_) * inverse_;

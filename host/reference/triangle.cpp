@@ -8,16 +8,16 @@
 
 #include "reference/rounding.h"
 
-// A ray hits the triangle within whose outline it appears to one who looks along the ray. No ray
-// passes between triangles that share an edge or a corner: a shared corner is seen at one place,
-// rounded once; and on which side of a seen edge the ray lies is told exactly, with the edge itself
-// counted to both sides. So the triangles seen are a closed mesh again, in exact arithmetic.
+// A ray hits the triangle if, projected along the ray, it is inside the outline. No ray passes
+// between triangles that share an edge or a corner: a shared corner has one projection, rounded
+// once, and the side of a projected edge is computed exactly; the edge itself counts to both sides.
+// So the projected triangles are again a closed mesh, in exact arithmetic.
 
 namespace calotype::reference {
 namespace {
 
-/// ax by - ay bx, of exact sign. Rounding keeps the order of the two products, and where they are
-/// rounded to the same number, what was rounded off decides.
+/// ax by - ay bx, with exact sign. Rounding keeps the order of the two products; if they are
+/// rounded to the same number, the rounding errors decide.
 double exactCross(const glm::dvec3& a, const glm::dvec3& b) {
     const double positive = a.x * b.y;
     const double negative = a.y * b.x;
@@ -30,7 +30,7 @@ double largestComponent(const glm::dvec3& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-/// Two edges from the first corner, scaled to a size of one lest their products under- or overflow.
+/// Two edges from the first corner, scaled to about one so that products cannot over- or underflow.
 struct ScaledEdges {
     explicit ScaledEdges(const Corners& corners)
         : toSecond(corners[1] - corners[0]), toThird(corners[2] - corners[0]),
@@ -44,9 +44,9 @@ struct ScaledEdges {
     double size;
 };
 
-/// Whether the point lies in the plane but for rounding: the volume that it spans with the triangle
-/// is nothing compared with the sum of the absolute values of its terms, or its distance from the
-/// plane is nothing compared with those of the corners, from which that of a hit is computed.
+/// Whether the point is in the plane, up to rounding: the volume of the point and the triangle is
+/// negligible compared with the sum of the absolute values of its terms, or the distance to the
+/// plane is negligible compared with those of the corners, from which a hit's distance is computed.
 bool isInPlane(const Corners& corners, const glm::dvec3& point) {
     const ScaledEdges edges(corners);
     const glm::dvec3 a = edges.toSecond;
@@ -81,7 +81,7 @@ std::optional<TriangleHit> intersect(const Corners& corners, const View& view) {
     const glm::dvec3 a = view(corners[0]);
     const glm::dvec3 b = view(corners[1]);
     const glm::dvec3 c = view(corners[2]);
-    // Twice the areas that the ray spans with each edge: the weights of the corners opposite.
+    // Twice the areas of the ray with each edge: the weights of the opposite corners.
     const glm::dvec3 areas(exactCross(b, c), exactCross(c, a), exactCross(a, b));
     const bool isFront = areas.x >= 0.0 && areas.y >= 0.0 && areas.z >= 0.0;
     const bool isBack = areas.x <= 0.0 && areas.y <= 0.0 && areas.z <= 0.0;

@@ -11,8 +11,8 @@ namespace calotype::reference {
 
 using Corners = std::array<glm::dvec3, 3>; ///< counter-clockwise, seen from the front
 
-/// A ray, and two directions that are perpendicular to it and to each other: what one sees who
-/// looks along the ray.
+/// A ray, and two directions that are perpendicular to it and to each other: a projection along the
+/// ray.
 class View {
 public:
     explicit View(const Ray& ray);
@@ -33,7 +33,7 @@ struct TriangleHit {
     glm::dvec3 weights; ///< of the three corners; their sum is 1
 };
 
-/// Where the ray, of any length, crosses the triangle. One that starts in its plane does not.
+/// The crossing of the ray, of any length, with the triangle. None if it starts in the plane.
 std::optional<TriangleHit> intersect(const Corners& corners, const View& view);
 
 /// Unit length, towards the front.
@@ -41,8 +41,8 @@ glm::dvec3 normalOf(const Corners& corners);
 
 double areaOf(const Corners& corners);
 
-/// The weights of the corners at a point that lies on the triangle but for rounding: the shares of
-/// the area that the point cuts off opposite to them.
+/// The weights of the corners at a point that is on the triangle up to rounding: the relative areas
+/// opposite to them.
 glm::dvec3 weightsAt(const Corners& corners, const glm::dvec3& point);
 
 } // namespace calotype::reference

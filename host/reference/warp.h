@@ -7,7 +7,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-/// From the unit square to disks, triangles, spheres and hemispheres.
+/// Maps the unit square to disks, triangles, spheres and hemispheres.
 namespace calotype::reference {
 
 inline constexpr double kPi = std::numbers::pi;
@@ -25,7 +25,7 @@ inline glm::dvec2 warpToTriangle(const glm::dvec2& u) {
     return {root * (1.0 - u.y), root * u.y};
 }
 
-/// The unit vector at height z, at the angle of `turns` about the z axis.
+/// The unit vector at height z, at an angle of `turns` about the z axis.
 inline glm::dvec3 directionAt(double z, double turns) {
     const double r = std::sqrt(std::fmax(1.0 - z * z, 0.0));
     const double phi = 2.0 * kPi * turns;
@@ -41,7 +41,7 @@ inline glm::dvec3 warpToCosineHemisphere(const glm::dvec2& u) {
 }
 
 /// A rotation whose third column is the unit vector n (Duff et al. 2017, "Building an Orthonormal
-/// Basis, Revisited"): the device's choice among all, so that equal numbers give equal directions.
+/// Basis, Revisited"): the same as on the device, so that equal numbers give equal directions.
 inline glm::dmat3 frameAbout(const glm::dvec3& n) {
     const double sign = n.z >= 0.0 ? 1.0 : -1.0;
     const double a = -1.0 / (sign + n.z);

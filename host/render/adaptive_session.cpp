@@ -22,13 +22,13 @@ constexpr uint32_t kFirstBlocks = AdaptiveFilm::kReplicasPerHalf;
 /// A survey gets this share of the samples of its round, 1 / 4.
 constexpr uint32_t kSurveyShare = 4;
 
-/// No pixel gets more than so many times the mean, or than a film can hold.
+/// No pixel gets more than this many times the mean, or more than a film can hold.
 constexpr uint32_t kMostOfMean = 8;
 constexpr uint32_t kMostBlocks = Film::kMaxBlocks / kHalves;
 
 uint32_t blocksFor(uint32_t samples) { return (samples + kSamplesPerStep - 1) / kSamplesPerStep; }
 
-/// The survey that a round of `blocks` blocks of each half goes by has 4 * 2^level of them.
+/// A round of `blocks` blocks of each half uses the survey of 4 * 2^level blocks of each half.
 uint32_t surveyLevel(uint32_t blocks) {
     const uint32_t most = std::max(kFirstBlocks, blocks / kSurveyShare);
     return static_cast<uint32_t>(std::bit_width(most / kFirstBlocks)) - 1;

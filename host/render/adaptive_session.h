@@ -15,14 +15,14 @@
 
 namespace calotype {
 
-/// Renders a picture in rounds of 128, 256, 512, ... samples per pixel on average, the last one of
-/// the settings' number. A round first gives every pixel an eighth to a quarter of that, at least
-/// 128: a survey.
-/// Then each half of the film deals out the rest to its pixels by the survey that the other half
-/// made, see AdaptiveFilm. So the picture depends on the settings alone, and has no bias.
+/// Renders a picture in rounds of 128, 256, 512, ... samples per pixel on average. The last round
+/// ends at the number of samples in the settings. A round first gives every pixel an eighth to a
+/// quarter of its samples, at least 128: a survey.
+/// Then each half of the film distributes the rest of its samples to pixels by the survey of the
+/// other half, see AdaptiveFilm. So the picture depends on the settings only, and has no bias.
 ///
-/// All samples come in whole blocks of both halves. The first round's are those that a
-/// RenderSession takes.
+/// All samples are whole blocks of both halves. The first round takes the same samples as a
+/// RenderSession.
 class AdaptiveSession : public Session {
 public:
     AdaptiveSession(BlockTracer& tracer, const RenderSettings& settings, double maxRadiance);
@@ -43,12 +43,12 @@ public:
 private:
     using Targets = std::array<std::vector<uint32_t>, AdaptiveFilm::kHalves>;
 
-    /// Blocks of each half that all pixels are to have at least.
+    /// Targets of at least `blocks` blocks of each half for all pixels.
     Targets atLeast(uint32_t blocks) const;
-    /// Blocks of each half for a mean of `blocks`, by the surveys of a level.
+    /// Blocks of each half for a mean of `blocks`, distributed by the surveys of `level`.
     Targets dealOut(uint32_t blocks, uint32_t level) const;
 
-    /// Renders the blocks that pixels lack. How it ended, if early.
+    /// Renders the blocks that pixels lack. Returns how the render ended, or nothing if it goes on.
     std::optional<RenderEnding> fill(const Targets& targets, const RenderObserver& observer,
                                      const RenderGoal& goal);
     std::optional<RenderEnding> renderBlock(uint32_t block, const RenderObserver& observer,
@@ -60,9 +60,9 @@ private:
     RenderTotals totals_;
     PassRenderer passes_;
     ErrorWatch watch_;
-    uint32_t blockHalf_ = 0;         ///< of the block that is being rendered
-    std::vector<uint8_t> isLeftOut_; ///< pixels without samples of it
-    bool blockIsInFilm_ = true;      ///< else the storage image holds samples that the film lacks
+    uint32_t blockHalf_ = 0;         ///< of the block that is rendered
+    std::vector<uint8_t> isLeftOut_; ///< pixels that get no samples of it
+    bool blockIsInFilm_ = true;      ///< false: the storage image holds samples that the film lacks
 };
 
 } // namespace calotype

@@ -9,11 +9,11 @@
 
 namespace calotype {
 
-/// What adds samples to one block of the film: consecutive sample indices, summed per pixel in
-/// their order.
+/// Adds samples to one block of the film: samples of consecutive indices, summed per pixel in their
+/// order.
 class BlockTracer {
 public:
-    /// A range of the picture's tiles, in the order in which the tracer takes them.
+    /// A range of the picture's tiles, in the tracer's order.
     struct TileRange {
         uint32_t first = 0;
         uint32_t count = 0;
@@ -21,17 +21,17 @@ public:
 
     virtual ~BlockTracer() = default;
 
-    /// Of the block that was begun last: those with pixels that are not all left out, or more.
+    /// The number of tiles of the current block: at least those with pixels that are not left out.
     virtual uint32_t tileCount() const = 0;
 
-    /// Empties the block; its next samples have absolute indices from `firstSample` on. Pixels
-    /// that are left out (a byte each, 0 or 1; none: all are in) get no samples: readBlock has a
-    /// sum of 0 and all the block's samples for them.
+    /// Empties the block; its next samples have absolute indices from `firstSample` on. Pixels that
+    /// are left out (a byte each, 0 or 1; none: all are in) get no samples: readBlock returns a sum
+    /// of 0 and the full number of samples for them.
     virtual void beginBlock(uint32_t firstSample, std::span<const uint8_t> isLeftOut = {}) = 0;
 
-    /// Brings the pixels of at most kMostTilesPerDispatch tiles to `sampleEnd` samples of the
-    /// block, as far as one call may go: call again for the same while `unfinishedPixels` is not
-    /// zero.
+    /// Adds samples to the pixels of at most kMostTilesPerDispatch tiles until each has `sampleEnd`
+    /// samples of the block. One call may not suffice: call again with the same arguments while
+    /// `unfinishedPixels` is not zero.
     virtual shared::RenderCounters renderTiles(TileRange tiles, uint32_t sampleEnd) = 0;
 
     /// The block so far: per pixel, row by row from the top left, the sum of r, g, b, and in w the

@@ -4,9 +4,9 @@
 
 namespace calotype {
 
-/// How many tiles to give the next dispatch, so that each takes about a tenth of a second: drivers
-/// end work of more than about two seconds and the device with it, an interrupt must take effect
-/// within one, and much shorter dispatches waste time on their start.
+/// Chooses the number of tiles of the next dispatch, so that each takes about a tenth of a second.
+/// Drivers end work of more than about two seconds, and the device with it; an interrupt must take
+/// effect within one; and much shorter dispatches waste time on their start.
 class DispatchSizer {
 public:
     static constexpr double kTargetSeconds = 0.1;
@@ -16,7 +16,7 @@ public:
     /// At least 1.
     uint32_t tiles() const { return tiles_; }
 
-    /// Takes a dispatch into account: of `tiles` tiles. Grows fourfold at most at a time.
+    /// Updates the estimate after a dispatch of `tiles` tiles. Grows at most fourfold at a time.
     void update(uint32_t tiles, double seconds);
 
 private:

@@ -12,11 +12,11 @@
 
 namespace calotype {
 
-/// Keeps the error of a growing film up to date without taking much of the time.
+/// Keeps the error of a growing film up to date in a small share of the time.
 class ErrorWatch {
 public:
-    /// Sets `error` to the film's, unless it is that already. `samples` are the film's, of all
-    /// pixels together or of each.
+    /// Sets `error` to that of the film, if the film has new samples. `samples` is the film's
+    /// number of samples, of all pixels together or of each.
     template <typename AnyFilm>
     void update(const AnyFilm& film, uint64_t samples, std::optional<ErrorEstimate>& error) {
         if (samplesJudged_ == samples)
@@ -28,7 +28,7 @@ public:
         last_ = std::chrono::steady_clock::now();
     }
 
-    /// Whether estimating anew keeps to its share of the time.
+    /// Whether a new estimate stays within its share of the time.
     bool isDue() const { return samplesJudged_ == 0 || kShare * secondsSince(last_) >= seconds_; }
 
 private:
@@ -39,15 +39,15 @@ private:
     std::chrono::steady_clock::time_point last_;
 };
 
-/// The least samples per pixel that a render may be judged by: one block of every replica.
+/// The least samples per pixel for an error estimate: one block of every replica.
 inline constexpr uint64_t kFirstLook = uint64_t{shared::kReplicas} * shared::kSamplesPerBlock;
 
-/// Whether a goal is looked at when the pixels have this number of samples.
+/// Whether the goal is checked at this number of samples per pixel.
 inline bool isLook(uint64_t samplesPerPixel) {
     return samplesPerPixel >= kFirstLook && std::has_single_bit(samplesPerPixel);
 }
 
-/// Whether the error is good enough, and to be trusted.
+/// Whether the error is small enough and trusted.
 inline bool isReached(const RenderGoal& goal, const std::optional<ErrorEstimate>& error) {
     return goal.targetError && error && error->isTrusted() &&
            error->upperBound() <= *goal.targetError;

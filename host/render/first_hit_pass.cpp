@@ -22,8 +22,8 @@ size_t recordBytes(uint32_t tiles) {
     return size_t{tiles} * kPixelsPerTile * sizeof(shared::FirstHitRecord);
 }
 
-/// Every hit has texture coordinates, which kernels have where there are textures. A scene without
-/// any refers to none, so it does not matter of which kind.
+/// The kernel computes texture coordinates for every hit, but has them only if there are textures.
+/// A scene without textures reads none, so the kind does not matter.
 std::vector<vk::Bool32> constantsFor(const SceneFeatures& features) {
     std::vector<vk::Bool32> constants(features.enabled.begin(), features.enabled.end());
     constants[shared::kFeatureColorTextures] = VK_TRUE;

@@ -17,22 +17,22 @@ namespace calotype {
 /// The kernel that finds what each pixel shows first (shaders/path/first_hit.glsl).
 class FirstHitPass {
 public:
-    /// Compiles the kernel, specialised for `features`. The scene has to be packed with
-    /// PackOptions::allUvs; its buffers must outlive this. Of the settings only the film's size and
-    /// the crop count.
+    /// Compiles the kernel, specialised for `features`. The scene must be packed with
+    /// PackOptions::allUvs; its buffers must outlive this object. Of the settings only the film's
+    /// size and the crop matter.
     FirstHitPass(const Device& device, const GpuScene& scene, const SceneBuffers& buffers,
                  const SceneFeatures& features, const RenderSettings& settings);
 
-    /// The first hits of the crop. `onProgress`, if given, is told the share of the work done about
-    /// ten times a second, and may throw to end it.
+    /// Returns the first hits of the crop. `onProgress`, if given, is called about ten times a
+    /// second with the share done in [0, 1]; it may throw to end the work.
     FirstHitImage run(const std::function<void(double)>& onProgress = {});
 
-    /// Pixels of the last run whose rays met more transparent surfaces than the kernel passes
-    /// through: they show the next one as if it were opaque.
+    /// Pixels of the last run whose rays hit more transparent surfaces than the kernel passes
+    /// through: they show the next surface as if it were opaque.
     uint64_t cutPixels() const { return cutPixels_; }
 
 private:
-    /// Takes a dispatch's records over into the image.
+    /// Copies a dispatch's records to the image.
     void readTiles(uint32_t first, uint32_t count, FirstHitImage& image);
     FirstHit toFirstHit(const shared::FirstHitRecord& record) const;
 
@@ -48,7 +48,7 @@ private:
     uint64_t cutPixels_ = 0;
 };
 
-/// Bytes that a FirstHitPass takes on the device, beside the scene.
+/// Bytes that a FirstHitPass needs on the device, in addition to the scene.
 uint64_t firstHitPassBytes(const RenderSettings& settings);
 
 } // namespace calotype

@@ -22,7 +22,7 @@ std::optional<RenderEnding> PassRenderer::run(uint32_t sampleEnd, const RenderOb
                                               const RenderGoal& goal) {
     using Clock = std::chrono::steady_clock;
     uint32_t first = 0;
-    uint32_t count = 0; // of the dispatch that is not finished
+    uint32_t count = 0; // of the dispatches that are not finished
     while (first < tracer_.tileCount()) {
         if (count == 0)
             count = std::min(sizer_.tiles(), tracer_.tileCount() - first);

@@ -11,19 +11,19 @@ namespace calotype {
 /// Adds samples to a block's pixels in dispatches of bounded time.
 class PassRenderer {
 public:
-    /// Counts into `totals`. Both must outlive this.
+    /// Adds to `totals`. Both arguments must outlive this object.
     PassRenderer(BlockTracer& tracer, RenderTotals& totals);
 
-    /// Forgets the losses of the block before. Where its tiles have many more pixels that get
-    /// samples than those before, what was learnt of the time of dispatches does not hold.
+    /// Clears the losses of the previous block. If its tiles have many more pixels that get samples
+    /// than the previous ones, the measured time of dispatches is discarded.
     void beginBlock(double pixelsPerTile = 0.0);
 
-    /// Brings every pixel to `sampleEnd` samples of the block. How it ended, if early; a deadline
-    /// counts once `totals` knows of a sample in every pixel.
+    /// Adds samples until every pixel has `sampleEnd` samples of the block. Returns how the render
+    /// ended, or nothing if it goes on. A deadline only counts when every pixel has a sample.
     std::optional<RenderEnding> run(uint32_t sampleEnd, const RenderObserver& observer,
                                     const RenderGoal& goal);
 
-    /// Of the block so far.
+    /// The losses of the block so far.
     const FilmLosses& losses() const { return losses_; }
 
 private:

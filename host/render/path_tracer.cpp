@@ -74,7 +74,7 @@ PathTracer::PathTracer(const Device& device, const GpuScene& scene, const SceneB
                          .constants = specialization(device, features, tuning, settings.sampler,
                                                      settings.transport),
                          .pushConstantBytes = sizeof(shared::RenderParameters)}) {
-    // Some drivers compile at the first dispatch: let that be one without samples.
+    // Some drivers compile at the first dispatch: this one has no samples.
     beginBlock(0);
     renderTiles({0, 1}, 0);
 }
@@ -83,7 +83,7 @@ void PathTracer::beginBlock(uint32_t firstSample, std::span<const uint8_t> isLef
     parameters_.firstSample = firstSample;
     if (isLeftOut.empty()) {
         block_.clear(device_);
-    } else { // as if all of their samples were there
+    } else { // as if they had all of their samples
         std::ranges::transform(isLeftOut, pixels_.mapped<glm::vec4>().begin(), [](uint8_t isOut) {
             return glm::vec4(0.0f, 0.0f, 0.0f, isOut != 0 ? float{shared::kSamplesPerBlock} : 0.0f);
         });

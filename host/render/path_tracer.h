@@ -20,37 +20,37 @@ namespace calotype {
 /// The path tracing kernel with its storage image, which holds one block of samples.
 class PathTracer : public BlockTracer {
 public:
-    /// Compiles the kernel, specialised for `features`, and for the kind of device unless a tuning
-    /// is given. The scene's buffers must outlive this.
+    /// Compiles the kernel, specialised for `features` and, unless a tuning is given, for the kind
+    /// of device. The scene's buffers must outlive this object.
     PathTracer(const Device& device, const GpuScene& scene, const SceneBuffers& buffers,
                const SceneFeatures& features, const RenderSettings& settings,
                const std::optional<KernelTuning>& tuning = std::nullopt);
 
     uint32_t tileCount() const override { return static_cast<uint32_t>(tiles_.size()); }
     void beginBlock(uint32_t firstSample, std::span<const uint8_t> isLeftOut = {}) override;
-    /// One dispatch: it goes as far as the device's loop budget allows.
+    /// One dispatch; it stops at the device's loop budget.
     shared::RenderCounters renderTiles(TileRange tiles, uint32_t sampleEnd) override;
     std::span<const glm::vec4> readBlock() override;
 
 private:
-    /// Lists the tiles that have pixels which are not left out.
+    /// Lists the tiles that have pixels to render.
     void listTiles(std::span<const uint8_t> isLeftOut);
 
     const Device& device_;
     Crop crop_;
-    std::vector<uint32_t> tiles_; ///< of the block, in the order in which they are taken
+    std::vector<uint32_t> tiles_; ///< of the block, in the order of rendering
     shared::RenderParameters parameters_{};
     StorageImage block_;
-    Buffer pixels_;   ///< on their way to the block or from it
+    Buffer pixels_;   ///< staging for the block
     Buffer tileList_; ///< tiles_, for the kernel
     Buffer camera_;
     Buffer counters_;
     Buffer parkedTasks_;
-    bool isUnfinished_ = false; ///< the last dispatch: there are parked paths
+    bool isUnfinished_ = false; ///< the last dispatch left parked paths
     ComputePipeline pipeline_;
 };
 
-/// Bytes that a PathTracer takes on the device, beside the scene.
+/// Bytes that a PathTracer needs on the device, in addition to the scene.
 uint64_t pathTracerBytes(const Device& device, const RenderSettings& settings);
 
 } // namespace calotype

@@ -16,7 +16,7 @@
 namespace calotype {
 namespace {
 
-/// Runs all groups in dispatches of bounded time; returns the seconds that they took.
+/// Runs all groups in dispatches of bounded time. Returns the seconds that they took.
 double runGroups(const Device& device, const ComputePipeline& pipeline,
                  shared::RayListParameters parameters, DispatchSizer& sizer) {
     using Clock = std::chrono::steady_clock;

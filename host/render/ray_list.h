@@ -13,33 +13,33 @@
 
 namespace calotype {
 
-/// Which rays of a picture's paths: one a pixel at most.
+/// A kind of ray of a picture's paths: at most one per pixel.
 struct RayKind {
-    bool isShadow = false; ///< to a light, from what the camera sees
-    uint32_t bounces = 0;  ///< else: after so many scattering events
+    bool isShadow = false; ///< to a light, from the first hit
+    uint32_t bounces = 0;  ///< for other rays: scattering events before the ray
 
     static RayKind shadow() { return {true, 0}; }
     static RayKind afterBounces(uint32_t bounces) { return {false, bounces}; }
 };
 
-/// Those of the picture's first sample that are of a kind, tile by tile; pixels whose path has no
-/// such ray are left out.
+/// The rays of one kind of the picture's first sample, tile by tile. Pixels whose path has no such
+/// ray are left out.
 std::vector<shared::ListedRay> listRays(const Device& device, const GpuScene& scene,
                                         const SceneBuffers& buffers, const RenderSettings& settings,
                                         RayKind kind);
 
-/// A list of rays on the device, for the traversal alone. Shadow rays look for any hit, others for
-/// the closest.
+/// A list of rays on the device, to measure the traversal alone. Shadow rays search any hit, other
+/// rays the closest.
 class RayListTracer {
 public:
-    /// `rays` must not be empty; the scene's buffers must outlive this.
+    /// `rays` must not be empty; the scene's buffers must outlive this object.
     RayListTracer(const Device& device, const GpuScene& scene, const SceneBuffers& buffers,
                   std::span<const shared::ListedRay> rays, RayKind kind);
 
-    /// Traces all rays; returns the seconds it took.
+    /// Traces all rays. Returns the seconds that this took.
     double trace();
 
-    /// What the rays met, in their order; valid until the next call of `trace`.
+    /// The hits of the rays, in their order; valid until the next call of `trace`.
     std::span<const shared::ListedHit> hits() const { return hits_.mapped<shared::ListedHit>(); }
 
 private:

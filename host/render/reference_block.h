@@ -11,16 +11,16 @@
 
 namespace calotype {
 
-/// Blocks of samples by the reference tracer, on threads of the CPU.
+/// Renders blocks of samples with the reference tracer, on threads of the CPU.
 class ReferenceBlock : public BlockTracer {
 public:
-    /// `threads` is 1 at least. The tracer must outlive this.
+    /// `threads` >= 1. The tracer must outlive this object.
     ReferenceBlock(const reference::ReferenceTracer& tracer, const RenderSettings& settings,
                    uint32_t threads);
 
     uint32_t tileCount() const override;
     void beginBlock(uint32_t firstSample, std::span<const uint8_t> isLeftOut = {}) override;
-    /// For about a fifth of a second.
+    /// Renders for about a fifth of a second.
     shared::RenderCounters renderTiles(TileRange tiles, uint32_t sampleEnd) override;
     std::span<const glm::vec4> readBlock() override;
 
@@ -30,8 +30,8 @@ private:
         uint32_t sampleCount = 0;
     };
 
-    /// Brings a pixel to `sampleEnd` samples, or as far as it gets by `deadline`, but takes one
-    /// sample at least if the counters know of none.
+    /// Renders a pixel until it has `sampleEnd` samples, or until `deadline`; at least one sample
+    /// if the counters have none.
     void renderPixel(glm::uvec2 position, uint32_t sampleEnd,
                      std::chrono::steady_clock::time_point deadline,
                      shared::RenderCounters& counters);

@@ -10,7 +10,7 @@
 namespace calotype {
 
 /// The first hits of the crop by the reference tracer, on `threads` >= 1 threads. `onProgress`, if
-/// given, is told the share of the work done after every few rows, and may throw to end it.
+/// given, is called now and then with the share done in [0, 1]; may throw to end the work.
 FirstHitImage referenceFirstHits(const reference::ReferenceTracer& tracer,
                                  const RenderSettings& settings, uint32_t threads,
                                  const std::function<void(double)>& onProgress = {});

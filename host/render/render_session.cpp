@@ -11,8 +11,8 @@ namespace {
 
 using shared::kSamplesPerBlock;
 
-/// Where the pass ends that begins with `done` samples in every pixel: the first doubles, none
-/// crosses the end of a block, the last sample, or a multiple of `passSamples`.
+/// The end of the pass that starts with `done` samples in every pixel. The first passes double the
+/// samples; no pass crosses the end of a block, the last sample, or a multiple of `passSamples`.
 uint64_t endOfPass(uint64_t done, uint64_t lastSample, uint32_t passSamples) {
     const auto nextMultiple = [done](uint64_t n) { return (done / n + 1) * n; };
     uint64_t end = std::min(nextMultiple(kSamplesPerBlock), lastSample);

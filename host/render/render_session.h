@@ -13,12 +13,12 @@
 
 namespace calotype {
 
-/// Renders a picture, pass after pass: every pixel has 1, 2, 4, 8, then 16 samples, and 16 more
-/// after each further pass. Each pass is cut into short dispatches. The film takes whole blocks;
-/// samples of an unfinished one show in the picture only.
+/// Renders a picture in passes: after them every pixel has 1, 2, 4, 8, then 16 samples, and 16 more
+/// after each further pass. A pass is split into short dispatches. The film adds whole blocks only;
+/// the samples of an unfinished block are in the picture only.
 class RenderSession : public Session {
 public:
-    /// Goes on with a film of the crop's size: what it holds of the samples is not rendered again.
+    /// Continues a film of the crop's size: samples that it holds are not rendered again.
     RenderSession(BlockTracer& tracer, const RenderSettings& settings, Film film);
 
     /// Begins with an empty film.
@@ -38,11 +38,11 @@ public:
     const Film& film() const { return film_; }
 
 private:
-    /// Of the settings' samples, the blocks that the film lacks.
+    /// The blocks of the settings' samples that the film lacks.
     BlockRanges missingBlocks() const;
-    /// Of the settings' samples, those in a block.
+    /// The number of the settings' samples in a block.
     uint32_t samplesIn(uint32_t block) const;
-    /// Renders samples of a block, the film's next, up to `blockEnd` of it. How it ended, if early.
+    /// Renders the film's next block up to `blockEnd` samples. Returns how it ended, if early.
     std::optional<RenderEnding> renderBlock(uint32_t block, uint32_t blockEnd,
                                             const RenderObserver& observer, uint32_t passSamples,
                                             const RenderGoal& goal);
@@ -54,7 +54,7 @@ private:
     RenderTotals totals_;
     PassRenderer passes_;
     ErrorWatch watch_;
-    bool blockIsInFilm_ = true; ///< else the storage image holds samples that the film lacks
+    bool blockIsInFilm_ = true; ///< false: the storage image holds samples that the film lacks
 };
 
 } // namespace calotype

@@ -9,12 +9,12 @@
 
 namespace calotype {
 
-/// A packed scene on the device. Throws GpuError where it does not fit.
+/// A packed scene on the device. The constructor throws GpuError if it does not fit.
 class SceneBuffers {
 public:
     SceneBuffers(const Device& device, const GpuScene& scene);
 
-    /// For the kernels that include buffers/packed_scene.glsl.
+    /// The bindings for kernels that include buffers/packed_scene.glsl.
     std::vector<Binding> bindings() const;
 
 private:

@@ -12,8 +12,8 @@
 
 namespace calotype {
 
-/// The specialization constants of a kernel, indexed by the identifiers in
-/// shared/specialization.h. The tuning is that of the kind of device, unless given.
+/// The specialization constants of a kernel, indexed by the identifiers in shared/specialization.h.
+/// Without a tuning, the one for the kind of device is used.
 std::vector<uint32_t> specialization(const Device& device, const SceneFeatures& features,
                                      const std::optional<KernelTuning>& tuning = std::nullopt,
                                      Sampler sampler = Sampler::Independent,

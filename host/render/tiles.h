@@ -10,19 +10,19 @@ namespace calotype {
 
 inline constexpr uint32_t kPixelsPerTile = shared::kTileSize * shared::kTileSize;
 
-/// Square tiles of shared::kTileSize pixels a side that cover so many pixels of a row or column.
+/// The number of tiles of shared::kTileSize pixels that cover this many pixels of a row or column.
 inline uint32_t tilesAlong(uint32_t pixels) {
     return (pixels + shared::kTileSize - 1) / shared::kTileSize;
 }
 
-/// Those that cover the crop, counted row by row.
+/// The number of tiles that cover the crop.
 inline uint32_t countTiles(const Crop& crop) {
     return tilesAlong(crop.width) * tilesAlong(crop.height);
 }
 
-/// llvmpipe gives each thread a contiguous part of a dispatch, so neighbouring groups, which take
-/// about as long, are dealt out evenly by striding through all with a number coprime to theirs.
-/// Small enough for 32-bit products of the largest pictures.
+/// A stride coprime to the number of groups. llvmpipe gives each thread a contiguous part of a
+/// dispatch, and neighbouring groups take about the same time; with this stride they are spread
+/// evenly over the threads. Small enough for 32-bit products of the largest pictures.
 inline uint32_t coprimeStride(uint32_t groupCount) {
     uint32_t stride = 61;
     while (std::gcd(stride, groupCount) != 1)

@@ -7,15 +7,15 @@
 
 namespace calotype {
 
-/// Where a shape of the scene stands, for messages: its place, or where it has none (as in scenes
-/// made in memory) "SCENE: /shapes/INDEX".
+/// The place of a shape, for messages; if it has none (in scenes made in memory), "SCENE:
+/// /shapes/INDEX".
 std::string placeOfShape(const Scene& scene, size_t index);
 std::string placeOf(const Scene& scene, const Shape& shape);
 
 /// The same for a material: its place, or "SCENE: material "NAME"".
 std::string placeOfMaterial(const Scene& scene, size_t index);
 
-/// "SCENE: POINTER", of what a scene has one of, such as "/camera/fov".
+/// "SCENE: POINTER", for parts that a scene has only once, such as "/camera/fov".
 std::string placeOf(const Scene& scene, const std::string& pointer);
 
 } // namespace calotype

@@ -7,7 +7,7 @@
 #include "image/image.h"
 #include "settings/limits.h"
 
-/// The range of each number of a Scene. Readers, the JSON schema and validate all use these.
+/// The range of each number of a Scene, used by readers, the JSON schema and validate.
 namespace calotype::ranges {
 
 inline constexpr Range kAnyNumber = {};
@@ -22,14 +22,14 @@ inline constexpr Range kLensRadius = atLeast(0.0);
 inline constexpr Range kShare = closedRange(0.0, 1.0);
 /// W/(m^2 sr), or W, of each channel.
 inline constexpr Range kRadiance = atLeast(0.0);
-/// Far beyond any real material's; the square of a ratio stays well within float.
+/// Far beyond any real material's; the square of a ratio stays within float.
 inline constexpr Range kIndexOfRefraction = closedRange(0.01, 100.0);
 
-/// Texture coordinates, and the offsets that textures apply to them. Floats of the largest size lie
-/// 64 apart, so that every coordinate reads the same texel; the products of a few still keep far
-/// from the end of float's range (3.4e38).
+/// Texture coordinates, and the offsets that textures apply to them. At the limit floats are 64
+/// apart, so that all lookups read the same texel; products of a few coordinates stay far below the
+/// end of float's range (3.4e38).
 inline constexpr Range kTextureCoordinate = closedRange(-1e9, 1e9);
-/// Factors that textures apply to them in scene files.
+/// Factors that textures apply to texture coordinates in scene files.
 inline constexpr Range kTextureScale = {0.0, 1e9, true, false};
 
 /// Whole numbers from `low` to `high`.

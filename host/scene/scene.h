@@ -12,8 +12,8 @@
 #include "math/rigid_transform.h"
 #include "scene/texture.h"
 
-/// What the user wrote, checked and resolved: metres, radians, linear Rec. 709, double precision,
-/// every transform applied. Nothing here knows of a device.
+/// The scene of the user, checked and resolved: metres, radians, linear Rec. 709, double precision,
+/// all transforms applied. Independent of devices.
 namespace calotype {
 
 enum class Projection : uint8_t { Perspective, Orthographic };
@@ -28,11 +28,11 @@ struct Camera {
     double verticalFov = 0.7;   ///< perspective: radians, in (0, pi)
     double viewHeight = 1.0;    ///< orthographic: metres from the picture's bottom to its top
     double lensRadius = 0.0;    ///< metres; 0 is a pinhole
-    double focusDistance = 1.0; ///< metres along `forward` to the plane in focus
+    double focusDistance = 1.0; ///< metres along `forward` to the plane of focus
 };
 
 /// Reconstruction filter of the film: box 1 pixel wide; tent of radius 1; Gaussian of sigma 0.5 cut
-/// off at 1.5; Blackman-Harris window of radius 1.5. All but the box reach into other pixels.
+/// off at 1.5; Blackman-Harris window of radius 1.5. All except the box overlap other pixels.
 enum class FilmFilter : uint8_t { Box, Tent, Gaussian, BlackmanHarris };
 
 struct FilmSettings {
@@ -53,16 +53,16 @@ enum class MaterialType : uint8_t { Diffuse, Metal, Nonmetal, BlinnPhong, Dielec
 enum class Masking : uint8_t { Schlick, Smith };
 
 /// How a surface scatters light; docs/models.md has the equations. A field that does not belong to
-/// the material's type is not used. A texture multiplies the number beside it.
+/// the material's type is not used. A texture multiplies the number of the same name.
 struct Material {
     static constexpr uint32_t kNoTexture = ~0u;
     static constexpr double kHighestExponent = 1e7;
 
     std::string name;
-    std::string place; ///< file and JSON pointer, for messages; an MTL material's is its OBJ file
+    std::string place; ///< file and JSON pointer, for messages; for an MTL material its OBJ file
     MaterialType type = MaterialType::Diffuse;
-    glm::dvec3 color{0.0}; ///< reflectance, a metal's F0, or a dielectric's tint of each crossing
-    uint32_t colorTexture = kNoTexture; ///< index into Scene::textures, as all below
+    glm::dvec3 color{0.0}; ///< reflectance, a metal's F0, or a dielectric's tint for each crossing
+    uint32_t colorTexture = kNoTexture; ///< index into Scene::textures, like all below
     double roughness = 0.0;             ///< metal, nonmetal: in [0, 1]; alpha is its square
     uint32_t roughnessTexture = kNoTexture;
     double specular = 0.04; ///< nonmetal: F0
@@ -75,7 +75,7 @@ struct Material {
     double ior = 1.5;                   ///< dielectric: of the inside
     double exteriorIor = 1.0;           ///< dielectric: of the outside
     uint32_t normalMap = kNoTexture;
-    uint32_t alphaTexture = kNoTexture; ///< whose alpha lets light through
+    uint32_t alphaTexture = kNoTexture; ///< its alpha lets light through
     double opacity = 1.0;               ///< share of the light that meets the surface, in [0, 1]
     glm::dvec3 emission{0.0};           ///< radiance, W/(m^2 sr)
     bool emitsFromFrontOnly = false;
@@ -109,7 +109,7 @@ struct Disk {
     double radius = 1.0;
 };
 
-/// Triangles in world space. A front face runs counter-clockwise.
+/// Triangles in world space. The corners are counter-clockwise, seen from the front.
 struct Mesh {
     static constexpr uint32_t kNoNormal = ~0u;
     static constexpr uint32_t kNoUv = ~0u;
@@ -132,14 +132,14 @@ struct Shape {
     std::string place;     ///< file and JSON pointer, for messages
 };
 
-/// A light of the file is a shape with a black, emitting material: it is seen, reflected, sampled
-/// and occludes like any other.
+/// A light of the file is a shape with a black, emitting material: it is seen, reflected, sampled,
+/// and it occludes, like any other shape.
 struct Scene {
     std::string place = "scene"; ///< its file, for messages
     Camera camera;
     FilmSettings film;
     RenderDefaults render;
-    glm::dvec3 background{0.0}; ///< radiance from everywhere, W/(m^2 sr)
+    glm::dvec3 background{0.0}; ///< from all directions, W/(m^2 sr)
     std::vector<Texture> textures;
     std::vector<Material> materials;
     std::vector<Shape> shapes;

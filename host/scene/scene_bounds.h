@@ -8,7 +8,7 @@ namespace calotype {
 /// Exact bounds of a shape, in the world.
 Bounds3d shapeBounds(const Shape& shape);
 
-/// Of all shapes; empty where there are none.
+/// Bounds of all shapes; empty if there are none.
 Bounds3d sceneBounds(const Scene& scene);
 
 /// The camera's position, or the point of the scene's bounds that is nearest to it.

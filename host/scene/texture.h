@@ -31,13 +31,13 @@ struct CheckerTexture {
 };
 
 /// A colour (and alpha) over texture coordinates. v = 0 is the bottom of an image; texel centres
-/// lie at (i + 1/2) / n.
+/// are at (i + 1/2) / n.
 struct Texture {
     std::string name;
     std::variant<ImageTexture, CheckerTexture> source;
     glm::dvec2 scale{1.0}; ///< the source is read at uv * scale + offset
     glm::dvec2 offset{0.0};
-    bool isMissing = false; ///< its file was not there, and it stands for it in magenta
+    bool isMissing = false; ///< its file is missing, and magenta replaces it
 };
 
 } // namespace calotype

@@ -9,7 +9,7 @@ namespace {
 
 bool isOdd(double whole) { return std::fmod(whole, 2.0) != 0.0; }
 
-/// The index in [0, count) of the texel that stands for `index`, a whole number of any size.
+/// The texel in [0, count) that `index`, a whole number of any size, wraps to.
 uint32_t wrapped(double index, uint32_t count, TextureWrap wrap) {
     const double n = count;
     if (wrap == TextureWrap::Clamp)
@@ -69,7 +69,7 @@ glm::dvec4 lookUp(const CheckerTexture& checker, const glm::dvec2& uv, bool) {
     return glm::dvec4(checker.colors[isOddField ? 1 : 0], 1.0);
 }
 
-/// `value`, where the size of an image that multiplies it cannot take it out of range.
+/// `value`, or 0 if it is too large to multiply with the size of an image.
 double inRange(double value) { return std::abs(value) < 1e300 ? value : 0.0; }
 
 } // namespace

@@ -15,17 +15,17 @@ struct ScalarRange {
     double greatest = 1.0;
 };
 
-/// The extremes of what materials read from a scene's textures, wherever their texture coordinates
-/// lie. Filters do not exceed them. Each image is looked through once.
+/// The extremes of the values that materials can read from a scene's textures, at any texture
+/// coordinates. Filters do not exceed them. Each image is scanned once.
 class TextureRanges {
 public:
     explicit TextureRanges(std::span<const Texture> textures) : textures_(textures) {}
 
-    /// Of each channel the greatest that a colour slot reads: linear, in [0, 1]. 1 for
+    /// The greatest value of each channel that a colour slot reads: linear, in [0, 1]. 1 for
     /// Material::kNoTexture.
     glm::dvec3 brightest(uint32_t texture);
 
-    /// What a scalar slot reads: the first channel, in [0, 1]. From 1 to 1 for
+    /// The range of values that a scalar slot reads: the first channel, in [0, 1]. From 1 to 1 for
     /// Material::kNoTexture.
     ScalarRange scalars(uint32_t texture);
 

@@ -11,7 +11,7 @@ enum class LightChoice : uint8_t {
     All,     ///< all, one after the other; only in the reference tracer
 };
 
-/// As users spell it.
+/// The name in options.
 inline const char* nameOf(LightChoice choice) {
     switch (choice) {
     case LightChoice::Uniform:

@@ -11,22 +11,22 @@
 
 namespace calotype {
 
-/// How a picture is rendered: all that may be chosen for a scene.
+/// How a picture is rendered: all settings that can be chosen for a scene.
 struct RenderSettings {
     uint32_t width = 0; ///< of the whole film, pixels
     uint32_t height = 0;
-    Crop crop;                    ///< what is rendered of it; within the film, not empty
+    Crop crop;                    ///< the part that is rendered; inside the film, not empty
     uint32_t firstSample = 0;     ///< absolute index; a multiple of shared::kSamplesPerBlock
     uint32_t samplesPerPixel = 0; ///< 1 to kMostSamplesPerPixel; with isAdaptive the mean
     uint32_t maxBounces = 0;      ///< scattering events along a path, 0 to kMostBounces
     uint32_t seed = 0;
     Sampler sampler = Sampler::Sobol;
     TransportSettings transport = {};
-    std::optional<TextureFilter> textureFilter = {}; ///< of all textures; none: as each says
+    std::optional<TextureFilter> textureFilter = {}; ///< of all textures; none: each its own
     std::optional<BvhBuilder> bvh = {};              ///< none: the quickest for the samples
-    bool isAdaptive = false;                         ///< gives more samples to pixels of more error
-    bool compilesEverything = false; ///< the whole kernel, whatever of it the scene needs
-    /// The render ends when ErrorEstimate::upperBound is no more than this, in (0, 1).
+    bool isAdaptive = false;                         ///< pixels with more error get more samples
+    bool compilesEverything = false; ///< the kernel with all features, not only those of the scene
+    /// The render ends when ErrorEstimate::upperBound is at most this, in (0, 1).
     std::optional<double> targetError = {};
     std::optional<double> seconds = {}; ///< the render ends after this time, above 0
 };

@@ -4,13 +4,13 @@
 
 namespace calotype {
 
-/// How a path's random numbers are drawn.
+/// How a path's random numbers are generated.
 enum class Sampler : uint8_t {
-    Independent, ///< each for itself
+    Independent, ///< independent random numbers
     Sobol,       ///< Owen-scrambled points, in pairs
 };
 
-/// As users spell it.
+/// The name in options.
 inline const char* nameOf(Sampler sampler) {
     return sampler == Sampler::Sobol ? "sobol" : "independent";
 }

@@ -14,11 +14,11 @@
 #include "settings/settings_table.h"
 #include "settings/value_text.h"
 
-/// The usual kinds of settings: each function completes a row with how its value is read and
-/// printed. `field` returns a reference to the value in RenderSettings, const or not.
+/// The usual kinds of settings: each function adds to a row how its value is read and printed.
+/// `field` returns a reference to the value in RenderSettings, const or not.
 namespace calotype {
 
-/// No more digits than it takes to read the same number back.
+/// As many digits as are needed to read the same number back.
 template <typename T>
 std::string shortestText(T number) {
     std::array<char, 32> text{};
@@ -80,7 +80,7 @@ struct Named {
     T value;
 };
 
-/// One of some names.
+/// One of several names.
 template <typename T, size_t kCount, typename Field>
 Setting choice(Setting row, const Named<T> (&choices)[kCount], Field field) {
     const std::vector<Named<T>> all(choices, choices + kCount);

@@ -150,7 +150,7 @@ void addEnd(std::vector<Setting>& rows) {
              }});
 }
 
-/// Which samples are taken, and how fast.
+/// Settings of the samples and of the speed.
 void addSampling(std::vector<Setting>& rows) {
     rows.push_back(
         flag({.name = "adaptive",
@@ -180,7 +180,7 @@ void addSampling(std::vector<Setting>& rows) {
     rows.push_back(choice(
         {.name = "bvh",
          .help = "How the BVH is built: median (quick to build), sah (quick to traverse), or auto, "
-                 "the quickest for the samples asked for (default)",
+                 "the quickest for the number of samples (default)",
          .group = SettingGroup::Sampling,
          .commands = kRenderCommand | kBenchCommand | kInfoCommand,
          .changesSamples = true},
@@ -193,7 +193,7 @@ void addSampling(std::vector<Setting>& rows) {
                         [](auto& settings) -> auto& { return settings.compilesEverything; }));
 }
 
-/// How light is looked for.
+/// Settings of light transport.
 void addLight(std::vector<Setting>& rows) {
     rows.push_back(
         onOff({.name = "roulette",

@@ -14,7 +14,7 @@
 
 namespace calotype {
 
-/// What a setting is for: the headings of --help.
+/// The purpose of a setting: the headings of --help.
 enum class SettingGroup : uint8_t { Picture, End, Sampling, Light };
 const char* nameOf(SettingGroup group);
 
@@ -27,24 +27,24 @@ enum SettingCommand : uint32_t {
 };
 
 /// One row of the table of settings. Command line, help, film labels, metadata, statistics, study
-/// and docs are made from the rows: a new setting is a field of RenderSettings, a row, and its use.
+/// and docs use the rows. To add a setting: a field of RenderSettings, a row, and its use.
 struct Setting {
-    std::string name;     ///< "max_bounces", as films and statistics have it
+    std::string name;     ///< "max_bounces", the name in films and statistics
     std::string type;     ///< of the value, for help: "on|off"; empty for a switch without a value
     std::string help;     ///< what it does, and its default
     std::string expected; ///< what a value must be, for messages: "'7' is not ..."
     SettingGroup group = SettingGroup::Light;
     uint32_t commands = kRenderCommand; ///< SettingCommand
-    /// Whether samples depend on it: then films of different values do not go together.
+    /// Whether samples depend on it: then films with different values cannot be joined.
     bool changesSamples = false;
-    /// Whether its default is the scene's, not that of RenderSettings.
+    /// Whether its default comes from the scene, not from RenderSettings.
     bool isOfScene = false;
 
-    /// Sets it from a text. False where that is not `expected`.
+    /// Sets it from a text. False if the text is not `expected`.
     std::function<bool(std::string_view text, RenderSettings&)> read;
-    /// As `read` takes it, with no more digits than needed.
+    /// The text for `read`, with no more digits than needed.
     std::function<std::string(const RenderSettings&)> print;
-    /// For statistics: a number, a switch, a list, or null where there is none.
+    /// For statistics: a number, a switch, a list, or null if there is none.
     std::function<nlohmann::ordered_json(const RenderSettings&)> value;
 
     /// "--max-bounces".
@@ -54,27 +54,27 @@ struct Setting {
 /// All settings, by group.
 std::span<const Setting> settingsTable();
 
-/// None where there is no such setting.
+/// Null if there is no such setting.
 const Setting* findSetting(std::string_view name);
 
-/// Sets one setting. Throws SettingError where the text is not what is expected.
+/// Sets one setting. Throws SettingError if the text is not what is expected.
 void readSetting(const Setting& setting, std::string_view text, RenderSettings& settings);
 
-/// What samples depend on, by the names of the settings.
+/// The settings that samples depend on, as texts by name.
 using SettingTexts = std::map<std::string, std::string>;
 SettingTexts sampleSettings(const RenderSettings& settings);
 
-/// Such texts as this version would write them: settings that the writer did not know are at their
-/// defaults, and texts that cannot be read stay as they are.
+/// Converts such texts to the form of this version: settings that are missing get their defaults;
+/// texts that cannot be read stay unchanged.
 SettingTexts normalized(SettingTexts texts);
 
-/// The options of `calotype render` by which `changed` differs from `usual`: "--mis off".
+/// The options of `calotype render` that turn `usual` into `changed`: "--mis off".
 std::string optionsBetween(const RenderSettings& usual, const RenderSettings& changed);
 
-/// Settings that a user gave as text, to be put over those of a scene.
+/// Settings that a user gave as texts; they override those of a scene.
 class GivenSettings {
 public:
-    /// Throws SettingError where the text is not what is expected.
+    /// Throws SettingError if the text is not what is expected.
     void add(const Setting& setting, const std::string& text);
 
     bool has(std::string_view name) const;

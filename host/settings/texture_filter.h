@@ -7,7 +7,7 @@ namespace calotype {
 /// How a texture is read between the centres of its texels.
 enum class TextureFilter : uint8_t { Bilinear, Nearest };
 
-/// As users spell it.
+/// The name in options.
 inline const char* nameOf(TextureFilter filter) {
     return filter == TextureFilter::Nearest ? "nearest" : "bilinear";
 }

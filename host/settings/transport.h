@@ -6,15 +6,15 @@
 
 namespace calotype {
 
-/// How light is looked for along a path. All but the clamp leave the expected picture as it is.
+/// Settings of light transport. Except the clamp, they do not change the expected picture.
 struct TransportSettings {
-    /// Whether light found by both strategies is shared between them by multiple importance
-    /// sampling; else light that sampling lights could have found counts only where that found it.
+    /// Whether multiple importance sampling weights light that both strategies can find; if not,
+    /// such light counts only if light sampling found it.
     bool usesMis = true;
-    /// Whether paths that carry little light end early, by chance.
+    /// Whether paths that carry little light end early, at random.
     bool usesRoulette = true;
-    /// The most that one contribution of light scattered twice or more may bring in any channel,
-    /// W/(m^2 sr); infinite for no limit. It darkens the picture.
+    /// Limit of one contribution of light scattered twice or more, for each channel, W/(m^2 sr);
+    /// infinite for no limit. It darkens the picture.
     float indirectClamp = std::numeric_limits<float>::infinity();
 
     LightChoice lightChoice = LightChoice::Power;

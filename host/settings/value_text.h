@@ -9,7 +9,7 @@
 
 namespace calotype {
 
-/// The number that all of `text` is, or nothing.
+/// The number in `text`, or nothing unless the whole text is one.
 template <typename T>
 std::optional<T> parseNumber(std::string_view text) {
     T value{};

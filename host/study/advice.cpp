@@ -9,10 +9,10 @@
 namespace calotype {
 namespace {
 
-/// Numbers of samples whose logarithms differ by less count as equal.
+/// Numbers of samples count as equal if their logarithms differ by less.
 constexpr double kAsMany = 0.1;
 
-/// A remaining error below this share of the whole error cannot be seen in its noise.
+/// A remaining error below this share of the whole error is hidden by its noise.
 constexpr double kSeenShare = 0.3;
 
 std::string times(double ratio) {

@@ -10,7 +10,7 @@ namespace calotype {
 std::string variantColor(size_t index);
 
 /// Error against time, both logarithmic, a line a variant, and the Pareto front, as an SVG that
-/// stands for itself: light and dark, legend included.
+/// needs no other file: for light and dark backgrounds, with a legend.
 std::string toSvg(const Study& study, const std::string& title);
 
 } // namespace calotype

@@ -31,7 +31,7 @@ std::optional<double> Reference::errorOf(const Image& image) const {
     }
     const double measured = relativeError(sum / static_cast<double>(luminances.size()));
     const double left = square(measured) - square(error);
-    if (!(left > square(error))) // below its own error a reference cannot tell
+    if (!(left > square(error))) // below its own error a reference cannot measure
         return std::nullopt;
     return std::sqrt(left);
 }

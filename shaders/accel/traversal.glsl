@@ -1,5 +1,5 @@
-// A ray's state on its way through the BVH, and the steps that it takes there. The loops that take
-// them are in kernels/lane_rays.glsl.
+// The state of one ray in the BVH, and the steps of its traversal. The loops that take these steps
+// are in kernels/lane_rays.glsl.
 #ifndef CALOTYPE_ACCEL_TRAVERSAL_GLSL
 #define CALOTYPE_ACCEL_TRAVERSAL_GLSL
 
@@ -15,12 +15,12 @@
 struct Hit {
     float t;
     uint primitive;     ///< as kQuadricBit says; kNone for no hit
-    bool isTransparent; ///< it may let light through
+    bool isTransparent; ///< light may pass through the surface
 };
 
 bool isTransparent(uint material) { return (material & kTransparentBit) != 0u; }
 
-// A ray's crossing with one primitive; t is kFar where there is none.
+// A ray's crossing with one primitive; t is kFar if there is none.
 
 Hit crossTriangle(uint index, ShearedRay sheared) {
     Triangle triangle = loadTriangle(index);
@@ -39,21 +39,21 @@ Hit crossPrimitive(uint primitive, Ray ray, ShearedRay sheared) {
     return crossTriangle(primitive, sheared);
 }
 
-/// A ray on its way through the tree. Its stack of nodes is kept by the loops.
+/// The traversal state of one ray. Its stack of nodes is in kernels/lane_rays.glsl.
 struct Traversal {
     NodeRay boxRay;
     ShearedRay sheared;
     Hit hit;                   ///< the nearest so far
     NodeGroup nodes;           ///< to visit next
-    PrimitiveGroup primitives; ///< to test next
-    PrimitiveGroup postponed;  ///< to test after these, if the ray went on among nodes meanwhile
-    PrimitiveGroup quadrics;   ///< where there are few of them: all that are left to test
-    uint skipped;              ///< the primitive that is never hit, or kNone
-    bool anyHit;               ///< any opaque hit will do
+    PrimitiveGroup primitives; ///< to test now
+    PrimitiveGroup postponed;  ///< to test after these; the ray visits no node while there are any
+    PrimitiveGroup quadrics; ///< if the scene has few quadrics: all of those that are still to test
+    uint skipped;            ///< the primitive that the ray ignores, or kNone
+    bool anyHit;             ///< the ray ends at its first opaque hit
 };
 
-/// `anyHit`: the ray ends at the first opaque hit found. `skipped` is a primitive that it never
-/// meets, or kNone.
+/// `anyHit`: the ray ends at the first opaque hit found. The ray ignores the primitive `skipped`,
+/// or none if that is kNone.
 Traversal startTraversal(Ray ray, bool anyHit, uint skipped) {
     NodeRay boxRay = nodeRay(ray.origin, ray.direction);
     return Traversal(boxRay, shearedRay(ray.origin, ray.direction), Hit(ray.tMax, kNone, false),
@@ -61,7 +61,7 @@ Traversal startTraversal(Ray ray, bool anyHit, uint skipped) {
                      anyHit);
 }
 
-/// A ray that has nothing left to visit.
+/// A ray that has nothing to visit.
 Traversal noTraversal() {
     Traversal traversal = startTraversal(Ray(vec3(0.0), 0.0, vec3(1.0)), false, kNone);
     traversal.nodes = kNoNodes;
@@ -72,7 +72,7 @@ bool waitsWithQuadrics(Traversal traversal) {
     return hasFewQuadrics && hasPrimitives(traversal.quadrics);
 }
 
-/// Among nodes while no leaf has to be tested first.
+/// True if the ray's next step is to visit a node.
 bool isAmongNodes(Traversal traversal) {
     return hasNodes(traversal.nodes) && !hasPrimitives(traversal.postponed) &&
            !waitsWithQuadrics(traversal);
@@ -89,7 +89,7 @@ PrimitiveGroup primitivesMet(BvhNode node, ChildrenMet met) {
     return PrimitiveGroup(met.primitives, node.primitives, node.firstTriangle, node.firstQuadric);
 }
 
-/// To be tested next, or after those that are.
+/// Tests these primitives next, or, if the ray has others to test, after those.
 void addPrimitives(inout Traversal traversal, PrimitiveGroup found) {
     if (hasFewQuadrics) {
         uint quadrics = quadricsOf(found);
@@ -101,7 +101,7 @@ void addPrimitives(inout Traversal traversal, PrimitiveGroup found) {
     traversal.primitives = pick(isBusy, traversal.primitives, found);
 }
 
-/// Keeps the nearest hit.
+/// Keeps the hit if it is the nearest so far.
 void takeHit(inout Traversal traversal, bool isActive, Hit hit) {
     bool isNearest = isActive && hit.t < traversal.hit.t && hit.primitive != traversal.skipped;
     traversal.hit.t = isNearest ? hit.t : traversal.hit.t;
@@ -109,7 +109,7 @@ void takeHit(inout Traversal traversal, bool isActive, Hit hit) {
     traversal.hit.isTransparent = isNearest ? hit.isTransparent : traversal.hit.isTransparent;
 }
 
-// Each tests the next primitive of its kind, if there is one.
+// Each function tests the next primitive of its kind, if there is one.
 
 void testPrimitive(inout Traversal traversal, Ray ray) {
     bool isActive = hasPrimitives(traversal.primitives);
@@ -129,12 +129,12 @@ void testQuadric(inout Traversal traversal, Ray ray) {
     takeHit(traversal, isActive, crossQuadric(isActive ? index : 0u, ray));
 }
 
-/// True where no further hit could matter.
+/// True if the ray ends here: further hits do not matter.
 bool isSettled(Traversal traversal) {
     return traversal.anyHit && traversal.hit.primitive != kNone && !traversal.hit.isTransparent;
 }
 
-/// After a test: what was postponed is next, and nothing where the ray is settled.
+/// To call after a test: takes the postponed primitives next. A settled ray ends.
 void takePostponed(inout Traversal traversal) {
     bool isDone = !hasPrimitives(traversal.primitives);
     traversal.primitives = pick(isDone, traversal.postponed, traversal.primitives);

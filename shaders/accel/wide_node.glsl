@@ -1,20 +1,20 @@
-// A node of the wide BVH met by a ray: which children, in which order (Ylitie, Karras and Laine
-// 2017, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs").
+// Intersects a ray with a node of the wide BVH: which children, in which order (Ylitie, Karras and
+// Laine 2017, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs").
 //
-// A box is passed where the ray's intervals between its three pairs of planes overlap. The plane k
-// cells from the node's origin is met at
+// A ray enters a box if its intervals between the three pairs of planes overlap. The ray crosses
+// the plane that is k cells from the node's origin at
 //     t = k (size / d) + (origin - o) / d,
 // computed as k s + g with s = size * (1 / d) and g = (origin - o) * (1 / d). The reciprocal
 // carries gamma_3, so s carries gamma_3 (size is a power of two) and g gamma_5 (difference,
 // product); the product k s and the sum add one rounding each. With |k s| <= |t| + |g| the error is
 // at most
 //     gamma_7 (|t| + 2 |g|).
-// So planes on the near side are moved nearer by 2 gamma_7 |g|, those on the far side farther by as
-// much, and the far side is stretched by 1 + 2 gamma_7 for the |t| of either (Ize 2013, "Robust BVH
-// Ray Traversal"). Every box that the exact ray enters is entered.
+// So near planes are moved nearer by 2 gamma_7 |g|, and far planes farther by the same; far
+// distances are also multiplied by 1 + 2 gamma_7, which covers the |t| of both (Ize 2013, "Robust
+// BVH Ray Traversal"). Every box that the exact ray enters is entered.
 //
-// Components of the direction below 1e-18 are replaced before the reciprocal, so axis-parallel rays
-// meet no NaN and no infinity.
+// Components of the direction below 1e-18 are replaced before the reciprocal, so that axis-parallel
+// rays give no NaN and no infinity.
 #ifndef CALOTYPE_ACCEL_WIDE_NODE_GLSL
 #define CALOTYPE_ACCEL_WIDE_NODE_GLSL
 
@@ -28,8 +28,8 @@
 struct NodeRay {
     vec3 origin;
     vec3 inverse;     ///< 1 / direction
-    bvec3 isNegative; ///< components of the direction
-    uint octant;      ///< bits 2, 1 and 0 where x, y and z of the direction are not negative
+    bvec3 isNegative; ///< of the components of the direction
+    uint octant;      ///< bit 2, 1 or 0 is set if x, y or z of the direction is not negative
 };
 
 NodeRay nodeRay(vec3 origin, vec3 direction) {
@@ -38,17 +38,17 @@ NodeRay nodeRay(vec3 origin, vec3 direction) {
     return NodeRay(origin, safeReciprocal(direction), isNegative, octant);
 }
 
-/// The children met of a node.
+/// The children of a node that the ray enters.
 struct ChildrenMet {
-    uint nodes;      ///< bit 24 + (child ^ octant) of each that is a node: the highest comes first
-    uint primitives; ///< of leaves: the bits of BvhNode::primitives
+    uint nodes; ///< bit 24 + (child ^ octant) for each that is a node; the highest is visited first
+    uint primitives; ///< for those that are leaves: their bits of BvhNode::primitives
 };
 
 vec4 bytesOf(uint word) {
     return vec4(word & 255u, word >> 8u & 255u, word >> 16u & 255u, word >> 24u);
 }
 
-/// Bits of the children, of four, that the ray meets: planes are near and far as the ray goes.
+/// Which of four children the ray enters, a bit each. The ray crosses near planes before far ones.
 uint childrenMet(uvec3 near, uvec3 far, vec3 nearScale, vec3 nearStart, vec3 farScale,
                  vec3 farStart, float tMax) {
     vec4 enterX = bytesOf(near.x) * nearScale.x + nearStart.x;
@@ -63,7 +63,7 @@ uint childrenMet(uvec3 near, uvec3 far, vec3 nearScale, vec3 nearStart, vec3 far
            (enter.z <= leave.z ? 4u : 0u) | (enter.w <= leave.w ? 8u : 0u);
 }
 
-/// Each of the eight low bits, repeated three times.
+/// Repeats each of the eight low bits three times.
 uint thrice(uint bits) {
     bits = (bits | bits << 8u) & 0x0300F00Fu;
     bits = (bits | bits << 4u) & 0x030C30C3u;
@@ -71,7 +71,7 @@ uint thrice(uint bits) {
     return bits | bits << 1u | bits << 2u;
 }
 
-/// Bit i at the place i ^ octant.
+/// Moves bit i to the place i ^ octant.
 uint inOrderOfVisit(uint bits, uint octant) {
     bits = (octant & 1u) != 0u ? (bits >> 1u & 0x55u) | (bits & 0x55u) << 1u : bits;
     bits = (octant & 2u) != 0u ? (bits >> 2u & 0x33u) | (bits & 0x33u) << 2u : bits;
@@ -105,8 +105,8 @@ ChildrenMet meetNode(NodeRay ray, BvhNode node, float tMax) {
                        thrice(met) & node.primitives & 0x00FFFFFFu);
 }
 
-/// Children that are nodes, of one node: in the highest byte those that are left to visit, as
-/// ChildrenMet has them, and below it BvhNode::childBase. One word, as it goes to the stack.
+/// Children of one node that are nodes: the highest byte has those that are left to visit, as in
+/// ChildrenMet; the rest is BvhNode::childBase. One word, because it goes on the stack.
 struct NodeGroup {
     uint word;
 };
@@ -115,12 +115,12 @@ const NodeGroup kNoNodes = NodeGroup(0u);
 
 NodeGroup pick(bool first, NodeGroup a, NodeGroup b) { return NodeGroup(first ? a.word : b.word); }
 
-/// The root, at place 0, alone.
+/// The group of the root alone, which is at place 0.
 NodeGroup rootGroup(uint octant) { return NodeGroup(1u << (24u + octant)); }
 
 bool hasNodes(NodeGroup group) { return group.word > 0x00FFFFFFu; }
 
-/// Takes the child that comes first out of a group that has some: its place.
+/// Removes the child to visit first from a group that is not empty, and returns its place.
 uint takeNode(inout NodeGroup group, uint octant) {
     uint bit = uint(findMSB(group.word));
     group.word &= ~(1u << bit);
@@ -145,23 +145,23 @@ PrimitiveGroup pick(bool first, PrimitiveGroup a, PrimitiveGroup b) {
                           first ? a.firstQuadric : b.firstQuadric);
 }
 
-/// Bits of the primitives that are quadrics.
+/// The bits of those primitives that are quadrics.
 uint quadricsOf(PrimitiveGroup group) { return thrice(group.all >> 24u); }
 
-/// The primitives of these bits alone.
+/// The group with these bits only.
 PrimitiveGroup only(uint bits, PrimitiveGroup group) {
     return PrimitiveGroup(group.left & bits, group.all & bits, group.firstTriangle,
                           group.firstQuadric);
 }
 
-/// Takes one primitive out of a group that has some of a single kind: its rank among them.
+/// Removes one primitive from a group that has one kind only. Returns its rank among them.
 uint takeOfOneKind(inout PrimitiveGroup group) {
     uint bit = uint(findLSB(group.left));
     group.left &= group.left - 1u;
     return uint(bitCount(group.all & ~(~0u << bit)));
 }
 
-/// Takes one primitive out of a group that has some: its name.
+/// Removes one primitive from a group that is not empty. Returns its name (kQuadricBit).
 uint takePrimitive(inout PrimitiveGroup group) {
     if (!hasQuadrics)
         return group.firstTriangle + takeOfOneKind(group);

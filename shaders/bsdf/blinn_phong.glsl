@@ -3,12 +3,12 @@
 // = acos u^(1/(n+1)), with density (n + 1) / (2 pi) cos^n a; the Jacobian 1 / (4 wo.h) turns it
 // into a density of directions.
 //
-// That form reflects up to about 4 ks. The normalised one,
+// That form can reflect up to about 4 ks. The normalised one,
 //   f = ks (n + 1) / (2 pi) cos^n a / (4 (wo.h) max(cosO, cosI)),
-// is reciprocal, since wo.h = wi.h, and loses nothing but what falls below the surface: over the
+// is reciprocal, since wo.h = wi.h, and loses only the light that falls below the surface: over the
 // half vectors f cosI becomes ks times their density times cosI / max(cosO, cosI), so at most ks.
 //
-// cos^n is exp(-n/2 log(1 + tan^2)), which holds for exponents to 1e7, where pow(cos, n) is noise.
+// cos^n is exp(-n/2 log(1 + tan^2)): accurate up to n = 1e7, where pow(cos, n) is only noise.
 #ifndef CALOTYPE_BSDF_BLINN_PHONG_GLSL
 #define CALOTYPE_BSDF_BLINN_PHONG_GLSL
 
@@ -55,7 +55,7 @@ float lobePdf(BlinnPhongLobe lobe, vec3 wo, vec3 wi) {
     return wi.z > 0.0 ? pdf : 0.0;
 }
 
-/// 1 - u takes the place of the model's u, as it is never zero.
+/// Uses 1 - u where the model has u, because it is never zero.
 LobeSample sampleLobe(BlinnPhongLobe lobe, vec3 wo, vec3 u) {
     float minusLogU = logOnePlus(u.x / (1.0 - u.x));
     float tan2 = expMinusOne(2.0 * minusLogU / (lobe.exponent + 1.0));

@@ -14,12 +14,12 @@
 #include "core/frame.glsl"
 #include "core/select.glsl"
 
-/// Some lobe transmits and has a density, so that light samples from the far side count: none yet.
+/// True if some lobe transmits and has a density: then light is also sampled from the far side.
 const bool hasTransmission = false;
-/// Some lobe transmits, with a density or without.
+/// True if some lobe transmits, with a density or without.
 const bool hasCrossing = hasDielectrics || hasTransmission;
 
-/// The part of [0, 1) in which the random number that chooses a lobe chooses this one.
+/// The part of [0, 1) that chooses this lobe.
 struct LobeShare {
     float start;
     float chance; ///< its length: the probability with which the lobe is sampled
@@ -43,27 +43,27 @@ struct Bsdf {
 };
 
 struct BsdfValue {
-    vec3 value; ///< f |cos|
-    float pdf;  ///< per solid angle, of the mixture of all lobes that have a density
+    vec3 value; ///< f |cos|, of all lobes that have a density
+    float pdf;  ///< per solid angle, of the mixture of these lobes
 };
 
 struct BsdfSample {
-    vec3 wi;      ///< in the world
+    vec3 wi;      ///< in world space
     vec3 weight;  ///< f |cos| / pdf; zero where nothing is scattered
     float pdf;    ///< per solid angle; kSpecularPdf for a specular direction
-    bool crosses; ///< wi goes to the far side
+    bool crosses; ///< wi is on the far side
     float eta;    ///< as in LobeSample
 };
 
-/// Stands for the infinite density of a specular direction: the density of any other strategy
-/// vanishes beside it.
+/// Stands for the infinite density of a specular direction; every other density is negligible
+/// beside it.
 const float kSpecularPdf = 1e30;
 
 bool hasLobe(Bsdf bsdf, uint lobe) { return (bsdf.lobes & lobe) != 0u; }
 
-/// The share from `start` to `end`, both in parts of `total`. Where no lobe scatters anything, all
-/// shares are empty. Where an albedo is NaN, so are the shares and the sample's weight: the sample
-/// is then counted as lost instead of being silently black.
+/// The share from `start` to `end`, both given as parts of `total`. If no lobe scatters anything,
+/// all shares are empty. If an albedo is NaN, the shares and the sample's weight are NaN too: the
+/// sample is then counted as lost, instead of being black without notice.
 LobeShare lobeShare(float start, float end, float total) {
     float first = total == 0.0 ? 1.0 : start / total;
     float last = total == 0.0 ? 1.0 : end / total;
@@ -91,8 +91,8 @@ void shareOut(inout Bsdf bsdf) {
     bsdf.dielectricShare = lobeShare(dielectricStart, total, total);
 }
 
-/// `horizon` is the normal below which light is cut off: ng, or the interpolated normal where rays
-/// leave from the smooth surface.
+/// `horizon` is the normal of the plane below which light is cut off: ng, or the interpolated
+/// normal if rays start from the smooth surface.
 Bsdf makeBsdf(SurfaceParameters surface, vec3 ng, vec3 ns, vec3 horizon, vec3 woWorld) {
     bool isOutside = dot(woWorld, ng) >= 0.0;
     float side = isOutside ? 1.0 : -1.0;
@@ -104,8 +104,8 @@ Bsdf makeBsdf(SurfaceParameters surface, vec3 ng, vec3 ns, vec3 horizon, vec3 wo
         hasShadingNormals ? consistentNormal(woWorld, bsdf.ng, side * ns) : bsdf.ng;
     bsdf.worldFromShading = worldFromLocal(shadingNormal);
     vec3 wo = woWorld * bsdf.worldFromShading;
-    // A cosine: the sum of three products is off by gamma_3 (4e-7) at most, and the frame's axes by
-    // as much again, so a view along the surface may come out below it by less than 1e-6.
+    // The error of this cosine: gamma_3 (4e-7) from the sum of three products, and as much from the
+    // frame's axes. So a view along the surface may come out below it, by less than 1e-6.
     bsdf.wo = vec3(wo.xy, greater(wo.z, 1e-6));
     bsdf.diffuse = makeDiffuse(surface);
     bsdf.ggx = makeGgx(surface);
@@ -115,7 +115,7 @@ Bsdf makeBsdf(SurfaceParameters surface, vec3 ng, vec3 ns, vec3 horizon, vec3 wo
     return bsdf;
 }
 
-/// True where light arrives from certain directions only, which no light sample meets.
+/// True if the surface scatters to certain directions only, which light sampling never finds.
 bool isSpecular(Bsdf bsdf) {
     bool hasDensity = hasDiffuse && hasLobe(bsdf, kLobeDiffuse) && bsdf.diffuseShare.chance > 0.0;
     hasDensity = hasDensity || (hasGgx && hasLobe(bsdf, kLobeGgx) && !isSpecular(bsdf.ggx));
@@ -123,15 +123,15 @@ bool isSpecular(Bsdf bsdf) {
     return !hasDensity;
 }
 
-/// Whether light may go that way: reflected light has to leave above the shaded and the true
-/// surface, and transmitted light below both.
+/// Whether light may go in that direction: reflected light must leave above the shaded and the true
+/// surface, transmitted light below both.
 bool isScattered(Bsdf bsdf, vec3 wi, vec3 wiWorld) {
     bool isReflected = wi.z > 0.0 && dot(wiWorld, bsdf.horizon) > 0.0;
     bool isTransmitted = hasTransmission && wi.z < 0.0 && dot(wiWorld, bsdf.ng) < 0.0;
     return isReflected || isTransmitted;
 }
 
-/// For a direction in the world. Specular light has no value at any direction.
+/// `wiWorld` is in world space. Specular light has no value in any direction.
 BsdfValue evaluateBsdf(Bsdf bsdf, vec3 wiWorld) {
     vec3 wi = wiWorld * bsdf.worldFromShading;
     BsdfValue result = BsdfValue(vec3(0.0), 0.0);
@@ -152,14 +152,14 @@ BsdfValue evaluateBsdf(Bsdf bsdf, vec3 wiWorld) {
     return result;
 }
 
-/// A sample of one lobe, and the probability with which that lobe was chosen.
+/// A sample of one lobe, and the probability of choosing that lobe.
 struct ChosenSample {
     LobeSample scattered;
     float chance;
 };
 
-/// A direction from one lobe: u.xy pick within it, u.z the lobe. It is the last lobe whose share
-/// starts at or below u.z, so that rounding of the shares leaves no number without a lobe.
+/// A direction from one lobe: u.z chooses the lobe, u.xy the direction. The last lobe whose share
+/// starts at or below u.z is taken, so that rounding of the shares leaves no number without one.
 ChosenSample sampleOneLobe(Bsdf bsdf, vec3 u) {
     ChosenSample chosen = ChosenSample(lobeSample(vec3(0.0)), 1.0);
     if (hasDiffuse && hasLobe(bsdf, kLobeDiffuse))
@@ -176,9 +176,9 @@ ChosenSample sampleOneLobe(Bsdf bsdf, vec3 u) {
     return chosen;
 }
 
-/// A direction by the mixture: u.xy pick within a lobe, u.z the lobe. Specular light, in the world,
-/// belongs on the near side of the true surface where it is mirrored, and on the far side where it
-/// crosses: where rounding or a shading normal leave it on the other, it is mirrored there.
+/// A direction from the mixture: u.z chooses the lobe, u.xy the direction. Reflected specular light
+/// must be on the near side of the true surface, transmitted light on the far side. If rounding or
+/// a shading normal puts it on the wrong side, it is mirrored at the surface.
 BsdfSample sampleBsdf(Bsdf bsdf, vec3 u) {
     ChosenSample chosen = sampleOneLobe(bsdf, u);
     LobeSample scattered = chosen.scattered;

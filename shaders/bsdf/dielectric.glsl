@@ -1,5 +1,5 @@
-// A smooth boundary between two dielectrics (docs/models.md, "Dielectric"): mirrored and refracted
-// light in the proportions of Fresnel's exact equations, one of them chosen by its share.
+// A smooth boundary between two dielectrics (docs/models.md, "Dielectric"). One of the reflected
+// and the refracted direction is chosen, with probabilities from Fresnel's exact equations.
 #ifndef CALOTYPE_BSDF_DIELECTRIC_GLSL
 #define CALOTYPE_BSDF_DIELECTRIC_GLSL
 
@@ -8,7 +8,7 @@
 #include "bsdf/surface_parameters.glsl"
 
 struct DielectricLobe {
-    vec3 tint; ///< of the light that crosses
+    vec3 tint; ///< of the light that crosses the boundary
     float eta; ///< index of refraction on the far side over that on the viewer's
 };
 
@@ -25,7 +25,7 @@ vec3 evaluateLobe(DielectricLobe lobe, vec3 wo, vec3 wi) { return vec3(0.0); }
 
 float lobePdf(DielectricLobe lobe, vec3 wo, vec3 wi) { return 0.0; }
 
-/// u.z chooses. Radiance beyond the boundary is spread over another solid angle: crossing scales it
+/// u.z chooses the direction. Crossing the boundary changes the solid angle, which scales radiance
 /// by (1 / eta)^2.
 LobeSample sampleLobe(DielectricLobe lobe, vec3 wo, vec3 u) {
     Refraction refraction = refractDielectric(wo, lobe.eta);

@@ -11,8 +11,8 @@ struct DiffuseLobe {
     vec3 reflectance;
 };
 
-/// Under GGX the base reflects what Fresnel's F0 leaves ("Metal and nonmetal"); under Blinn-Phong
-/// the share `kd`.
+/// Under a GGX lobe the reflectance is what the lobe's F0 leaves ("Metal and nonmetal"); under
+/// Blinn-Phong it is the share `kd`.
 DiffuseLobe makeDiffuse(SurfaceParameters surface) {
     vec3 reflectance = surface.color;
     if (hasGgx && (surface.lobes & kLobeGgx) != 0u)

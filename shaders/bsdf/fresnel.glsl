@@ -16,10 +16,10 @@ struct Refraction {
 };
 
 /// Snell's law and the exact Fresnel equations (docs/models.md, "Fresnel, exact"); `w` is a unit
-/// direction in the boundary's frame. `eta` is the index of refraction beyond the boundary over
-/// that on the side of w. cos^2 of the refracted angle is 1 - sin^2 / eta^2, which is off by no
-/// more than sin^2 of that angle is, a few roundings. About eta = 1 that is too much where the
-/// light grazes: there it is (eta^2 - 1 + cos^2) / eta^2, which cancels for small eta in its turn.
+/// vector in the boundary's frame. `eta` is the index of refraction beyond the boundary over that
+/// on the side of w. cos^2 of the refracted angle is 1 - sin^2 / eta^2; its error is a few
+/// roundings, like that of sin^2. For eta near 1 and grazing light this is too much: there the code
+/// uses (eta^2 - 1 + cos^2) / eta^2, which in turn cancels for small eta.
 Refraction refractDielectric(vec3 w, float eta) {
     float cosThetaI = w.z;
     float eta2 = eta * eta;

@@ -1,17 +1,17 @@
 // Reflection by a rough surface of GGX microfacets (docs/models.md, "GGX" and "GGX masking"):
 // f = D F G / (4 cosO cosI).
 //
-// D is written with the tangent's square, D = 1 / (pi alpha^2 (tan^2 / alpha^2 + 1)^2 cos^4), since
-// the usual form cancels for small alpha. Masking is Schlick's product of two factors, which
-// divided by 4 cosO cosI is free of divisions by small cosines, or Smith's height-correlated term
-// (Heitz 2014, "Understanding the Masking-Shadowing Function", eq. 99).
+// D is written with the square of the tangent, D = 1 / (pi alpha^2 (tan^2 / alpha^2 + 1)^2 cos^4),
+// since the usual form cancels for small alpha. Masking is Schlick's product of two factors or
+// Smith's height-correlated term (Heitz 2014, "Understanding the Masking-Shadowing Function", eq.
+// 99). Schlick's, divided by 4 cosO cosI, needs no division by small cosines.
 //
-// Half vectors are drawn from those that the viewer sees (Dupuy and Benyoub 2023, "Sampling Visible
-// GGX Normals with Spherical Caps"), with density D G1 max(0, wo.h) / cosO; the Jacobian 1 / (4
-// wo.h) turns it into one of directions. Against drawing by D cos the weights stay below one,
-// however the viewer grazes the surface.
+// Half vectors are sampled among those visible to the viewer (Dupuy and Benyoub 2023, "Sampling
+// Visible GGX Normals with Spherical Caps"), with density D G1 max(0, wo.h) / cosO; the Jacobian 1
+// / (4 wo.h) turns it into a density of directions. Unlike with the density D cos, weights stay
+// below one, also at grazing views.
 //
-// A lobe too narrow to be drawn is a mirror (docs/models.md, "Mirror"), which is specular.
+// A lobe that is too narrow to sample is a mirror (docs/models.md, "Mirror"), which is specular.
 #ifndef CALOTYPE_BSDF_GGX_GLSL
 #define CALOTYPE_BSDF_GGX_GLSL
 
@@ -81,10 +81,10 @@ float lobePdf(GgxLobe lobe, vec3 wo, vec3 wi) {
     return wi.z > 0.0 && !isSpecular(lobe) ? pdf : 0.0;
 }
 
-/// A visible half vector: in the space where the surface is a hemisphere, a point on the cap about
-/// wo that reflects into the upper side, plus wo: s. The point's z is (1 - u) (1 + s.z) - s.z; from
-/// there 1 - z, 1 + z and z + s.z are written without the differences in which u near 1, the lobe's
-/// far end, would drown.
+/// Samples a visible half vector. In the space where the surface is a hemisphere, it is wo plus s,
+/// a point on the spherical cap about wo that reflects into the upper side. The point's z is (1 -
+/// u) (1 + s.z) - s.z. From there, 1 - z, 1 + z and z + s.z are written without differences, which
+/// would lose the lobe's far end (u near 1) to rounding.
 vec3 sampleVisibleHalfVector(GgxLobe lobe, vec3 wo, vec2 u) {
     vec3 stretched = normalize(vec3(lobe.alpha * wo.xy, wo.z));
     vec2 sinCosPhi = sinCosTwoPi(u.x);
@@ -95,7 +95,7 @@ vec3 sampleVisibleHalfVector(GgxLobe lobe, vec3 wo, vec2 u) {
     return normalize(vec3(lobe.alpha * h, height));
 }
 
-/// F G1(wo)^2 (Smith's term is 1 in the limit).
+/// F G1(wo)^2. In the limit Smith's term is 1.
 vec3 mirrorWeight(GgxLobe lobe, float cosThetaO) {
     float k = lobe.maskingK;
     float g1 = k < 0.0 ? 1.0 : cosThetaO / (cosThetaO * (1.0 - k) + k);

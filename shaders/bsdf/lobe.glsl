@@ -30,8 +30,8 @@
 
 struct LobeSample {
     vec3 wi;
-    bool isSpecular;     ///< the direction is certain: it has no density
-    vec3 specularWeight; ///< f |cos| / pdf of a specular direction; of any other 0, as its weight
+    bool isSpecular;     ///< a discrete direction, without a density
+    vec3 specularWeight; ///< f |cos| / pdf of a specular direction; else 0, because the weight
                          ///< follows from evaluateLobe and lobePdf
     float eta; ///< index of refraction on wi's side over that on the viewer's; 1 if wi is not bent
 };

@@ -1,4 +1,4 @@
-// What a material's parameters are at a point of a surface: its textures are looked up.
+// A material's parameters at a point of a surface, after its textures are looked up.
 #ifndef CALOTYPE_BSDF_SURFACE_PARAMETERS_GLSL
 #define CALOTYPE_BSDF_SURFACE_PARAMETERS_GLSL
 
@@ -16,8 +16,8 @@ struct SurfaceParameters {
     float eta;
 };
 
-/// The colour that the material's lobes are tinted with: a metal's F0, the reflectance of any other
-/// opaque material, 1 for a dielectric.
+/// The colour of the material's lobes: a metal's F0, the reflectance of any other opaque material,
+/// 1 for a dielectric.
 vec3 surfaceAlbedo(SurfaceParameters surface) {
     bool isDielectric = hasDielectrics && (surface.lobes & kLobeDielectric) != 0u;
     return isDielectric ? vec3(1.0) : surface.color;

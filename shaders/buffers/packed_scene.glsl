@@ -14,14 +14,14 @@
 #define END(name) ;
 #include "shared/scene_struct_table.h"
 
-// The words of a row as a field's type.
+// Converts the words of a row to the type of a field.
 #define WORDS_AS_uint(words) words
 #define WORDS_AS_uvec2(words) words
 #define WORDS_AS_float(words) uintBitsToFloat(words)
 #define WORDS_AS_vec2(words) uintBitsToFloat(words)
 #define WORDS_AS_vec3(words) uintBitsToFloat(words)
 
-// readX(rows, place): the struct whose first row has this place.
+// readX(rows, place): the struct whose first row is at this place.
 #define STRUCT(name)                                                                               \
     name read##name(utextureBuffer rows, int place) {                                              \
         name result;                                                                               \

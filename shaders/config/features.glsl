@@ -1,4 +1,4 @@
-// What the scene at hand requires. All default to true: specialising only ever removes code.
+// The features that the scene needs. All default to true: specialization only removes code.
 #ifndef CALOTYPE_CONFIG_FEATURES_GLSL
 #define CALOTYPE_CONFIG_FEATURES_GLSL
 

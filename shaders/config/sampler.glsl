@@ -1,4 +1,4 @@
-// How a path's random numbers are drawn, as the kernel was specialised.
+// The random numbers of a path, from the sampler that the kernel is specialised for.
 #ifndef CALOTYPE_CONFIG_SAMPLER_GLSL
 #define CALOTYPE_CONFIG_SAMPLER_GLSL
 

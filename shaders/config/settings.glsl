@@ -1,5 +1,5 @@
 // What a kernel is specialised for beside the scene's features: the device, the sampler, and how
-// light is looked for along a path.
+// paths sample light.
 #ifndef CALOTYPE_CONFIG_SETTINGS_GLSL
 #define CALOTYPE_CONFIG_SETTINGS_GLSL
 

@@ -1,5 +1,5 @@
-// What rounding takes from sums and products, as floats of their own. Exact where every operation
-// rounds to nearest and nothing underflows; else still far smaller than the sum or product.
+// The rounding errors of sums and products, as floats. Exact if every operation rounds to nearest
+// and nothing underflows; otherwise still far smaller than the sum or product.
 #ifndef CALOTYPE_CORE_ERROR_FREE_GLSL
 #define CALOTYPE_CORE_ERROR_FREE_GLSL
 
@@ -11,7 +11,7 @@ float sumError(float a, float b, float sum) {
     return error;
 }
 
-/// The upper 12 bits of x; what is left of it fits into 12 bits too (Veltkamp 1968).
+/// The upper 12 bits of x; the rest of x fits into 12 bits too (Veltkamp 1968).
 float upperHalf(float x) {
     precise float scaled = 4097.0 * x;
     precise float upper = scaled - (scaled - x);
@@ -28,7 +28,7 @@ float productError(float a, float b, float product) {
     return error;
 }
 
-/// a b - c d, to some 2^-46 of the larger product.
+/// a b - c d, with an error of about 2^-46 of the larger product.
 float differenceOfProducts(float a, float b, float c, float d) {
     precise float ab = a * b;
     precise float cd = c * d;

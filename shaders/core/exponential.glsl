@@ -1,10 +1,10 @@
-// log(1 + x) and exp(x) - 1 without the cancellation that GLSL's own functions suffer near zero,
-// where Vulkan promises an absolute error only.
+// log(1 + x) and exp(x) - 1 without cancellation. GLSL's own functions cancel near zero, where
+// Vulkan guarantees an absolute error only.
 #ifndef CALOTYPE_CORE_EXPONENTIAL_GLSL
 #define CALOTYPE_CORE_EXPONENTIAL_GLSL
 
-/// log(1 + x) for x >= 0. Up to 1 the series 2 artanh(s), s = x / (2 + x) <= 1/3, whose first term
-/// left out is below 2e-7 of the sum.
+/// log(1 + x) for x >= 0. Up to 1 the series 2 artanh(s), s = x / (2 + x) <= 1/3; the first omitted
+/// term is below 2e-7 of the sum.
 float logOnePlus(float x) {
     float s = x / (2.0 + x);
     float s2 = s * s;
@@ -15,8 +15,8 @@ float logOnePlus(float x) {
     return x < 1.0 ? series : log(1.0 + x);
 }
 
-/// exp(x) - 1 for x >= 0. Up to 1/2 Taylor's series, whose first term left out is below 2e-7
-/// of the sum.
+/// exp(x) - 1 for x >= 0. Up to 1/2 Taylor's series; the first omitted term is below 2e-7 of the
+/// sum.
 float expMinusOne(float x) {
     float series =
         x *

@@ -2,7 +2,7 @@
 #ifndef CALOTYPE_CORE_FRAME_GLSL
 #define CALOTYPE_CORE_FRAME_GLSL
 
-/// A rotation whose third column is the unit vector n; continuous but on the plane n.z = 0, and
+/// A rotation whose third column is the unit vector n; continuous except on the plane n.z = 0, and
 /// without cancellation anywhere (Duff et al. 2017, "Building an Orthonormal Basis, Revisited").
 mat3 worldFromLocal(vec3 n) {
     float zSign = n.z >= 0.0 ? 1.0 : -1.0;

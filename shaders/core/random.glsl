@@ -1,5 +1,5 @@
-// Uniform random numbers without state: a hash of (pixel, sample, dimension, seed), so that tiles,
-// passes and schedules of any kind see the same samples.
+// Uniform random numbers without state: a hash of (pixel, sample, dimension, seed), so that the
+// samples do not depend on tiles, passes or scheduling.
 #ifndef CALOTYPE_CORE_RANDOM_GLSL
 #define CALOTYPE_CORE_RANDOM_GLSL
 
@@ -10,9 +10,9 @@ struct SampleId {
     uint seed;
 };
 
-// Each dimension is four numbers. A path's are laid out alike in every scene, so that leaving out a
-// feature leaves the other numbers as they are. Both the camera and each bounce have more
-// dimensions than are used, so that a new use leaves the pictures of older scenes as they are.
+// Each dimension is four numbers. A path has the same dimensions in every scene, so that a feature
+// that is left out does not change other numbers. The camera and each bounce have spare dimensions,
+// so that a new use does not change the pictures of older scenes.
 const uint kDimensionCamera = 0u;     ///< position in the pixel and on the lens
 const uint kDimensionTime = 1u;       ///< within the shutter's opening; not used yet
 const uint kDimensionWavelength = 2u; ///< not used yet
@@ -43,7 +43,7 @@ uvec4 pcg4d(uvec4 v) {
     return v;
 }
 
-/// Uniform numbers are multiples of 1 over this, 2^24.
+/// Uniform random numbers are multiples of 1 / 2^24.
 const float kUnitSteps = 16777216.0;
 
 /// The upper 24 bits, times 2^-24: uniform in [0, 1 - 2^-24], every value exact.
@@ -55,7 +55,7 @@ vec4 uniformRandom(SampleId id, uint dimension) {
     return unitFloats(pcg4d(uvec4(pixel, id.sampleIndex, dimension, id.seed)));
 }
 
-/// One number in [0, 1), another for each `item` of a dimension.
+/// One number in [0, 1), a different one for each `item` of a dimension.
 float uniformRandomOf(SampleId id, uint dimension, uint item) {
     uint pixel = id.pixel.x | (id.pixel.y << 16u);
     uvec4 bits = pcg4d(uvec4(pixel, id.sampleIndex, dimension, id.seed));

@@ -1,4 +1,4 @@
-// Rays, and leaving a surface without meeting it again.
+// Rays, and their origins, which are moved off a surface so that rays do not hit it again.
 #ifndef CALOTYPE_CORE_RAY_GLSL
 #define CALOTYPE_CORE_RAY_GLSL
 
@@ -11,9 +11,9 @@ struct Ray {
     vec3 direction;
 };
 
-/// The point moved off its surface, to the side to which `ng` points. `error` bounds the distance
-/// along ng between `p` and the true surface; the second term outgrows the rounding of the sum
-/// itself. There is no constant in metres: the offset scales with the scene.
+/// The point moved off its surface, to the side that `ng` points to. `error` bounds the distance
+/// along ng between `p` and the true surface; the second term is larger than the rounding of the
+/// sum itself. There is no constant in metres: the offset scales with the scene.
 vec3 offsetFromSurface(vec3 p, float error, vec3 ng) {
     return p + (ng * error + sign(ng) * abs(p) * kUnitRoundoff);
 }

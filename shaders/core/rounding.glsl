@@ -1,9 +1,9 @@
-// Bounds on rounding errors (Higham 2002, section 3.1), for float arithmetic as Vulkan promises it.
+// Bounds on rounding errors (Higham 2002, section 3.1) of float arithmetic as Vulkan guarantees it.
 #ifndef CALOTYPE_CORE_ROUNDING_GLSL
 #define CALOTYPE_CORE_ROUNDING_GLSL
 
-/// Relative error of one operation: 2^-23, twice IEEE's, since Vulkan leaves the rounding mode
-/// open.
+/// Relative error of one operation: 2^-23, twice that of IEEE, because Vulkan does not fix the
+/// rounding mode.
 const float kUnitRoundoff = 1.1920929e-7;
 
 /// Bound on the relative error of n operations in a row: n u / (1 - n u). A division (2.5 ULP)

@@ -1,5 +1,5 @@
 // Minimum and maximum as one comparison and one selection. GLSL's own also order NaN, which costs
-// several instructions a component on CPUs; these give their second argument where either is NaN.
+// several instructions a component on CPUs; these return the second argument if either is NaN.
 #ifndef CALOTYPE_CORE_SELECT_GLSL
 #define CALOTYPE_CORE_SELECT_GLSL
 

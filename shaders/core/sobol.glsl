@@ -1,18 +1,18 @@
-// Numbers that fill the square more evenly than chance: the first two dimensions of Sobol's
-// sequence, Owen-scrambled, in an order of their own for each use (Burley 2020, "Practical
+// Points that fill the unit square more evenly than random ones: the first two dimensions of
+// Sobol's sequence, Owen-scrambled, in a different order for each use (Burley 2020, "Practical
 // Hash-based Owen Scrambling").
 //
-// Of 2^k samples of a replica in a row, from a multiple of 2^k on, each elementary interval of area
-// 2^-k holds exactly one: every strip, every column, every square. Each point alone is uniform, so
-// estimates stay unbiased; points of different uses, and of different replicas, are independent.
+// Take 2^k consecutive samples of a replica that start at a multiple of 2^k: each elementary
+// interval of area 2^-k (strips, columns, squares) contains exactly one of them. Each single point
+// is uniform, so estimates are unbiased; points of different uses or replicas are independent.
 #ifndef CALOTYPE_CORE_SOBOL_GLSL
 #define CALOTYPE_CORE_SOBOL_GLSL
 
 #include "core/random.glsl"
 #include "shared/limits.h"
 
-/// The second dimension of Sobol's sequence, its first bit the lowest: Pascal's triangle modulo 2
-/// times the index, which is the Kronecker power of its 2 x 2 corner.
+/// The second dimension of Sobol's sequence, first bit lowest: Pascal's triangle modulo 2 times the
+/// index. That matrix is the Kronecker power of its 2 x 2 corner.
 uint secondSobol(uint index) {
     index ^= index >> 16u;
     index ^= index >> 8u & 0x00FF00FFu;
@@ -22,9 +22,9 @@ uint secondSobol(uint index) {
     return index;
 }
 
-/// A permutation in which bits depend on lower ones only: Owen's scrambling, the first bit of a
-/// fraction lowest (Laine and Karras 2011, "Stratified Sampling for Stochastic Transparency", with
-/// the constants of Vegdahl 2021, "Building a Better LK Hash").
+/// A permutation in which each bit depends on lower bits only: Owen's scrambling of a fraction
+/// whose first bit is lowest (Laine and Karras 2011, "Stratified Sampling for Stochastic
+/// Transparency", with the constants of Vegdahl 2021, "Building a Better LK Hash").
 uint scrambleFromBelow(uint bits, uint seed) {
     bits ^= bits * 0x3D20ADEAu;
     bits += seed;
@@ -34,10 +34,10 @@ uint scrambleFromBelow(uint bits, uint seed) {
     return bits;
 }
 
-/// One point of the unit square for each `use`. Blocks of samples belong to replicas in turn, whose
-/// points are independent of each other's.
+/// One point of the unit square for each `use`. Blocks of samples belong to replicas in turn; the
+/// points of different replicas are independent.
 vec2 sobolPoint(SampleId id, uint use) {
-    const uint kUseOfPoints = 0x80000000u; // apart from what is hashed by sample
+    const uint kUseOfPoints = 0x80000000u; // distinct from what is hashed by sample
     uint block = id.sampleIndex / kSamplesPerBlock;
     uint index = block / kReplicas * kSamplesPerBlock + id.sampleIndex % kSamplesPerBlock;
     uvec4 seeds = pcg4d(
@@ -48,7 +48,7 @@ vec2 sobolPoint(SampleId id, uint use) {
     return unitFloats(uvec4(x, y, 0u, 0u)).xy;
 }
 
-/// In place of uniformRandom: two points.
+/// Replaces uniformRandom: two points.
 vec4 sobolRandom(SampleId id, uint dimension) {
     return vec4(sobolPoint(id, 2u * dimension), sobolPoint(id, 2u * dimension + 1u));
 }

@@ -2,9 +2,9 @@
 #ifndef CALOTYPE_CORE_SRGB_GLSL
 #define CALOTYPE_CORE_SRGB_GLSL
 
-/// IEC 61966-2-1 for a value in [0, 1]. The power 2.4 of x is x times a polynomial in sqrt(x),
-/// fitted on the range in use (minimax in the relative error): within 1.2e-6 of the value. GLSL's
-/// pow promises less and costs more.
+/// IEC 61966-2-1 for a value in [0, 1]. x to the power 2.4 is x times a polynomial in sqrt(x),
+/// fitted to the range in use (minimax in the relative error): within 1.2e-6 of the value. GLSL's
+/// pow is less accurate and slower.
 float linearFromSrgb(float encoded) {
     float x = (encoded + 0.055) * (1.0 / 1.055);
     float s = sqrt(x);

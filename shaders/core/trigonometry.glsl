@@ -1,10 +1,10 @@
-// Sine and cosine to a few ULP: GLSL's own promise no better than an absolute error of 2^-11.
+// Sine and cosine to a few ULP: GLSL's own have an absolute error of up to 2^-11.
 #ifndef CALOTYPE_CORE_TRIGONOMETRY_GLSL
 #define CALOTYPE_CORE_TRIGONOMETRY_GLSL
 
 /// (sin, cos) of 2 pi u, for u in [0, 1]. The angle is reduced to [-pi/4, pi/4] about the nearest
-/// quarter turn k: exactly, since 4 u - k is. The polynomials are Cephes's sinf and cosf (Moshier),
-/// with an absolute error below 1.2e-7 (2^-23).
+/// quarter turn k. This is exact, because 4 u - k is. The polynomials are those of Cephes's sinf
+/// and cosf (Moshier), with an absolute error below 1.2e-7 (2^-23).
 vec2 sinCosTwoPi(float u) {
     float quarterTurns = floor(4.0 * u + 0.5);
     float x = (4.0 * u - quarterTurns) * 1.57079632679490;
@@ -18,8 +18,8 @@ vec2 sinCosTwoPi(float u) {
     return vec2(k >= 2u ? -sc.x : sc.x, k == 1u || k == 2u ? -sc.y : sc.y);
 }
 
-/// The angle of (x, y) from the x axis in turns, in [0, 1); 0 where both are zero. The arc tangent
-/// is Cephes's atanf (Moshier) on ratios up to tan(pi / 8), to which the octant is turned; the
+/// The angle of (x, y) from the x axis in turns, in [0, 1); 0 if both are zero. The arc tangent is
+/// Cephes's atanf (Moshier), for ratios up to tan(pi / 8), after a rotation of the octant. The
 /// error is below 1e-7 turns. GLSL's own may be off by 4096 ULP.
 float angleInTurns(float x, float y) {
     float larger = max(abs(x), abs(y));

@@ -1,6 +1,6 @@
-// Where in and around its pixel a sample falls: distributed as the film's filter, so that a sample
-// belongs to one pixel and has weight one (Ernst, Stamminger and Greiner 2006, "Filter Importance
-// Sampling").
+// The position of a sample in and around its pixel. It is distributed as the film's filter, so that
+// a sample belongs to one pixel and has weight one (Ernst, Stamminger and Greiner 2006, "Filter
+// Importance Sampling").
 #ifndef CALOTYPE_FILM_FILM_FILTER_GLSL
 #define CALOTYPE_FILM_FILM_FILTER_GLSL
 
@@ -8,8 +8,8 @@
 #include "config/features.glsl"
 #include "shared/limits.h"
 
-/// Distance from the pixel's centre along one axis: the table holds the filter's quantiles in equal
-/// steps, from its centre outwards, and is read linearly.
+/// Distance from the pixel's centre along one axis. The table has the filter's quantiles in equal
+/// steps, from its centre outwards, and is interpolated linearly.
 float sampleFilterTable(float u) {
     float step = abs(2.0 * u - 1.0) * float(kFilterSteps);
     uint index = min(uint(step), kFilterSteps - 1u);

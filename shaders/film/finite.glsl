@@ -1,4 +1,4 @@
-// Telling numbers from NaN and infinity by their bits: isnan and isinf may be optimised away.
+// Tests for NaN and infinity by bits: isnan and isinf may be optimised away.
 #ifndef CALOTYPE_FILM_FINITE_GLSL
 #define CALOTYPE_FILM_FINITE_GLSL
 

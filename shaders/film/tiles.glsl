@@ -12,13 +12,13 @@ uint evenBits(uint x) {
     return x;
 }
 
-/// The first pixel of a tile. The last tiles reach beyond the picture.
+/// The first pixel of a tile. The last tiles extend beyond the picture.
 uvec2 cornerOfTile(uint tile, uvec2 imageSize) {
     uint tilesPerRow = (imageSize.x + kTileSize - 1u) / kTileSize;
     return kTileSize * uvec2(tile % tilesPerRow, tile / tilesPerRow);
 }
 
-/// Pixel of a tile by its number: along a Z curve, so that a subgroup's rays stay together.
+/// A pixel of a tile by its number, along a Z curve, so that the rays of a subgroup stay close.
 uvec2 pixelInTile(uvec2 corner, uint item) {
     return corner + uvec2(evenBits(item), evenBits(item >> 1u));
 }

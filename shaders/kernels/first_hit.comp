@@ -1,5 +1,5 @@
 #version 460
-// What each pixel of a run of tiles shows first. A tile's records lie together, row by row.
+// Finds the first hit of each pixel of a run of tiles. A tile's records are contiguous, row by row.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_ballot : require
 

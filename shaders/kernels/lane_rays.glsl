@@ -1,18 +1,18 @@
-// The rays of a subgroup, one a lane, traced through the tree together.
+// Traces the rays of a subgroup, one per lane, through the BVH together.
 //
-// A lane is in one of three states: its ray is among nodes, among primitives, or through the tree.
-// All lanes do the same work at a time. So a loop goes on with one kind of work while enough of the
-// lanes at work need it, and the others wait (Aila and Laine 2009, "Understanding the Efficiency of
-// Ray Traversal on GPUs"). Where quadrics are few, testing them is a fourth state, and its loop
-// goes on until no lane is in it.
+// A lane is in one of three states: its ray visits nodes, tests primitives, or has ended. All lanes
+// do the same work at a time. So a loop continues with one kind of work while enough of the working
+// lanes need it, and the others wait (Aila and Laine 2009, "Understanding the Efficiency of Ray
+// Traversal on GPUs"). If quadrics are few, testing them is a fourth state, and its loop runs until
+// no lane is in it.
 #ifndef CALOTYPE_KERNELS_LANE_RAYS_GLSL
 #define CALOTYPE_KERNELS_LANE_RAYS_GLSL
 
 #include "accel/traversal.glsl"
 #include "config/settings.glsl"
 
-// What the lane's ray has put aside, in memory of its own or shared by the workgroup. Variables of
-// the whole kernel, as GLSL copies arguments.
+// The stack of the lane's ray, in its own memory or in memory shared by the workgroup. These are
+// variables of the whole kernel, because GLSL copies arguments.
 const uint kStackPlaces = kMaxBvhDepth + 2u;
 NodeGroup ownStack[sharesStack ? 1u : kStackPlaces];
 shared NodeGroup sharedStack[sharesStack ? kStackPlaces * gl_WorkGroupSize.x : 1u];
@@ -33,7 +33,7 @@ NodeGroup groupAside(uint place) {
     return ownStack[place];
 }
 
-/// Passes through any loop of the kernel: llvmpipe has a limit on them. The same in all lanes.
+/// Iterations of all loops of the kernel, which llvmpipe limits. The same in all lanes.
 struct IterationCount {
     uint passes;
     uint budget;
@@ -41,7 +41,7 @@ struct IterationCount {
 
 bool isWithinBudget(IterationCount count) { return count.passes < count.budget; }
 
-/// Counts one pass. False where the budget is used up.
+/// Counts one iteration. False if the budget is used up.
 bool countIteration(inout IterationCount count) {
     count.passes++;
     return isWithinBudget(count);
@@ -53,12 +53,12 @@ bool areEnough(bool condition, uint eighths, uint lanesAtWork) {
     return 8u * lanesWhere(condition) >= max(eighths * lanesAtWork, 1u);
 }
 
-/// Visits the lane's next node, if it is among nodes.
+/// Visits the next node of the lane's ray, if visiting a node is its next step.
 void visitNode(inout Traversal traversal) {
     bool visits = isAmongNodes(traversal);
     NodeGroup rest = traversal.nodes;
     uint index = takeNode(rest, traversal.boxRay.octant);
-    putAside(stackSize, rest); // beyond the top where nothing is left of it
+    putAside(stackSize, rest); // above the top of the stack if `rest` is empty
     uint size = stackSize + (hasNodes(rest) ? 1u : 0u);
     BvhNode node = loadBvhNode(visits ? index : 0u);
     ChildrenMet met = meetNode(traversal.boxRay, node, traversal.hit.t);
@@ -72,8 +72,8 @@ void visitNode(inout Traversal traversal) {
     }
 }
 
-/// Follows the rays until too few of the `atWork` lanes have a ray in the tree, or the budget is
-/// used up: then false.
+/// Traces the rays until too few of the `atWork` lanes have a ray that is not finished. False if
+/// the budget is used up first.
 bool followRays(inout Traversal traversal, Ray ray, uint atWork, inout IterationCount count) {
     bool isInBudget = true;
     do {
@@ -102,8 +102,8 @@ bool followRays(inout Traversal traversal, Ray ray, uint atWork, inout Iteration
     return isInBudget;
 }
 
-/// Follows the ray of each active lane from its start to its end, or until the budget is used up.
-/// `anyHit` and `skipped` are those of startTraversal.
+/// Traces the ray of each active lane to its end, or until the budget is used up. `anyHit` and
+/// `skipped` are those of startTraversal.
 Hit traceRay(Ray ray, bool isActive, bool anyHit, uint skipped, inout IterationCount count) {
     Traversal traversal = noTraversal();
     if (isActive)

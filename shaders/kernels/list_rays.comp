@@ -1,5 +1,5 @@
 #version 460
-// Lists rays that rendering a picture follows: one of each pixel's path, of the kind asked for.
+// Lists the rays of a picture's paths: one ray of the given kind from each pixel's path.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_ballot : require
 

@@ -1,4 +1,4 @@
-// What the host must know of the tasks of kernels/path_trace.comp: how much memory they take.
+// Facts for the host about the tasks of kernels/path_trace.comp: how much memory they take.
 #ifndef CALOTYPE_KERNELS_PARKED_TASK_H
 #define CALOTYPE_KERNELS_PARKED_TASK_H
 
@@ -6,7 +6,7 @@
 
 CALOTYPE_BEGIN_SHARED
 
-/// Pixels that a lane works at in turns: the current and the waiting one.
+/// Pixels per lane: the current and the waiting one.
 CALOTYPE_CONSTANT uint kTasksPerLane = 2;
 
 #include "shared/declare_structs.h"

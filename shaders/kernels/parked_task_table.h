@@ -4,7 +4,7 @@ STRUCT(ParkedTask)
 #include "path/path_fields.h"
 ROW(uint, item, x)       ///< the task's pixel, in the order of the tile
 FIELD(uint, hasPath, y)  ///< 1 where the fields above are a path, else 0
-FIELD(uint, nextItem, z) ///< the tile's next pixel; 0 where the tile is to be begun anew
+FIELD(uint, nextItem, z) ///< the tile's next pixel; 0 if the tile starts from the beginning
 FIELD(uint, pad1, w)
 END(ParkedTask)
 

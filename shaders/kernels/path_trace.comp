@@ -1,12 +1,12 @@
 #version 460
 // Adds samples to the block in the storage image: rgb is the sum of a pixel's radiance, a the
-// number of its samples, added in their order by the lane that owns the pixel. So a dispatch goes
-// on where the last one stopped, and the picture does not depend on how the work was cut up.
+// number of its samples. The lane that owns the pixel adds them in order. So a dispatch continues
+// where the last one stopped, and the division of the work does not change the picture.
 //
-// A workgroup is one subgroup. Each lane works at two pixels, and takes the tile's next one when
-// one is done. While the ray of the current pixel's path is traced, the other pixel's path waits:
-// its ray is traced next, or it is at a surface. When too few lanes have a ray left, the waiting
-// paths take their steps.
+// A workgroup is one subgroup. Each lane works on two pixels, and takes the tile's next pixel when
+// one is finished. While the ray of the current pixel's path is traced, the other pixel's path
+// waits: either its ray is traced next, or it has reached a surface. When too few lanes have a ray
+// left, the waiting paths take their steps.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
 #extension GL_KHR_shader_subgroup_ballot : require
@@ -16,7 +16,7 @@
 
 layout(local_size_x_id = kConstantSubgroupSize) in;
 
-/// Its ray has been traced and the path has to take a step, or the path is over.
+/// True if its ray has been traced and the path must take a step, or if the path has ended.
 bool isThrough(PixelTask task) { return task.hasPath && !task.hasRay; }
 
 void main() {
@@ -50,7 +50,7 @@ void main() {
             isInBudget = isInBudget && countIteration(count);
             hasRay = current.hasRay || waiting.hasRay || isUnderWay(traversal);
         } while (areEnough(hasRay, kEventEighths, atWork) && isInBudget);
-        if (isThrough(waiting)) // whatever the budget: a dispatch gets on
+        if (isThrough(waiting)) // even without budget, so that each dispatch makes progress
             stepTask(waiting, limits, totals);
         isInBudget = isInBudget && countIteration(count);
     } while (lanesWhere(current.hasPixel || waiting.hasPixel) > 0u && isInBudget);

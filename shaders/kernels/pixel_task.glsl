@@ -1,5 +1,5 @@
-// What a lane of a subgroup works at when it renders a tile: a pixel and the path that it follows
-// there, and how they are parked between dispatches.
+// The task of a lane when it renders a tile: a pixel and its current path. Tasks are parked between
+// dispatches.
 #ifndef CALOTYPE_KERNELS_PIXEL_TASK_GLSL
 #define CALOTYPE_KERNELS_PIXEL_TASK_GLSL
 
@@ -19,15 +19,15 @@ struct PixelTask {
     vec4 sum; ///< of the pixel's radiance, and in w its samples
 };
 
-/// What a lane did in this dispatch.
+/// The results of a lane in this dispatch.
 struct LaneTotals {
     uint raysEnded;
     uint pathsEnded;
     uint pathsCut;
-    uint pathsLost; ///< whose sample is not a finite number
+    uint pathsLost; ///< samples that are not finite
 };
 
-/// Adds the sample of a path that is over.
+/// Adds the sample of a path that has ended.
 void endPath(inout PixelTask task, inout LaneTotals totals) {
     bool finite = isFinite(task.path.radiance) && isFinite(task.path.throughput);
     task.sum += vec4(finite ? task.path.radiance : vec3(0.0), 1.0);
@@ -36,14 +36,14 @@ void endPath(inout PixelTask task, inout LaneTotals totals) {
     task.hasPath = false;
 }
 
-/// The shadow ray has been traced, and met nothing translucent: the path takes its step.
+/// Call when the shadow ray has been traced and hit nothing transparent: the path takes its step.
 void settleShadow(inout PixelTask task, PathLimits limits, inout LaneTotals totals) {
     totals.raysEnded++;
     task.hasRay = pathShadow(task.path, task.hit.primitive == kNone, limits);
     task.isOver = !task.hasRay;
 }
 
-/// The path's ray has been traced, or the path is over: it takes its step, or ends.
+/// Call when the path's ray has been traced or the path has ended: takes its step, or ends it.
 void stepTask(inout PixelTask task, PathLimits limits, inout LaneTotals totals) {
     totals.raysEnded += task.isOver ? 0u : 1u;
     task.hasRay = !task.isOver && stepPath(task.path, task.hit, limits);
@@ -72,7 +72,7 @@ ParkedTask park(PixelTask task, uint nextItem) {
     return parked;
 }
 
-/// The path as it was parked, but for the name of its random numbers.
+/// The path as it was parked; `id` is not parked.
 Path unpark(ParkedTask parked, SampleId id) {
     Path path;
     path.id = id;

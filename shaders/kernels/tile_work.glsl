@@ -1,4 +1,4 @@
-// The tile of a subgroup: handing its pixels to lanes, and parking its work between dispatches.
+// The tile of a subgroup: assigns its pixels to lanes, and parks its work between dispatches.
 #ifndef CALOTYPE_KERNELS_TILE_WORK_GLSL
 #define CALOTYPE_KERNELS_TILE_WORK_GLSL
 
@@ -15,7 +15,7 @@ layout(set = 0, binding = kBindingTiles) readonly buffer Tiles { uint tiles[]; }
 
 struct TileWork {
     uvec2 corner;  ///< its first pixel
-    uint nextItem; ///< the first pixel that no lane has taken, in the order of the tile
+    uint nextItem; ///< the first pixel that no lane has taken yet, in the order of the tile
 };
 
 uvec2 pixelOf(TileWork work, PixelTask task) { return pixelInTile(work.corner, task.item); }
@@ -27,8 +27,8 @@ SampleId sampleIdOf(uvec2 pixel, PixelTask task) {
                     parameters.seed);
 }
 
-/// Sets the task's sum to what the block holds of its pixel. A task without a pixel in the picture
-/// gets a sum that needs no more samples.
+/// Sets the task's sum to the block's sum of its pixel. A task without a pixel in the picture gets
+/// a sum that needs no more samples.
 void loadPixel(TileWork work, inout PixelTask task) {
     uvec2 pixel = pixelOf(work, task);
     task.hasPixel = task.item < kTileSize * kTileSize;
@@ -36,7 +36,7 @@ void loadPixel(TileWork work, inout PixelTask task) {
     task.sum = isReal ? imageLoad(block, ivec2(pixel)) : vec4(parameters.sampleEnd);
 }
 
-/// A task that is done with its pixel stores it and takes the next one; a task without a path
+/// A task that has finished its pixel stores it and takes the next one; a task without a path
 /// starts one.
 void takeUpWork(inout TileWork work, inout PixelTask task) {
     bool isDone = task.hasPixel && !task.hasPath && uint(task.sum.w) >= parameters.sampleEnd;
@@ -61,7 +61,7 @@ uint parkingPlace(uint whichTask) {
            gl_SubgroupInvocationID;
 }
 
-/// Goes on where the last dispatch parked the tile, or begins it anew.
+/// Continues where the last dispatch parked the tile, or starts the tile from the beginning.
 TileWork resumeTile(uint tile) {
     TileWork work = TileWork(cornerOfTile(tile, parameters.cropSize), 0u);
     uint parked = parkedTasks[parkingPlace(0u)].nextItem;
@@ -90,8 +90,8 @@ void parkTask(TileWork work, uint whichTask, bool isUnfinished, PixelTask task) 
     parkedTasks[parkingPlace(whichTask)] = park(task, isUnfinished ? work.nextItem : 0u);
 }
 
-/// Stores what the lane has, and adds up what the subgroup did. Where no ray of a lane came to its
-/// end in the whole dispatch, none would in the next one: the path ends here.
+/// Stores the lane's tasks, and adds up the totals of the subgroup. If no ray of a lane ended in
+/// the whole dispatch, none would end in the next one either: the path is cut.
 void parkTile(TileWork work, inout PixelTask current, inout PixelTask waiting,
               inout LaneTotals totals) {
     bool isCut = current.hasPath && totals.raysEnded == 0u;

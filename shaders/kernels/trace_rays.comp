@@ -1,5 +1,5 @@
 #version 460
-// Finds what a list of rays meets, by the loops that the path tracing kernel follows its rays with.
+// Finds the hits of a list of rays, with the same loops as the path tracing kernel.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_ballot : require
 

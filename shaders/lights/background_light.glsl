@@ -1,4 +1,4 @@
-// Constant radiance from everywhere: directions uniform on the sphere (docs/models.md,
+// Constant radiance from all directions, sampled uniformly on the sphere (docs/models.md,
 // "Background").
 #ifndef CALOTYPE_LIGHTS_BACKGROUND_LIGHT_GLSL
 #define CALOTYPE_LIGHTS_BACKGROUND_LIGHT_GLSL

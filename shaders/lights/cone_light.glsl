@@ -4,8 +4,8 @@
 
 #include "core/warp.glsl"
 
-/// In the quadric's frame, on the side and the base, each chosen by its area; on the side the
-/// distance from the apex goes as the square root, since circumference grows with it.
+/// In the quadric's frame, on the side or the base, chosen by area. On the side the distance from
+/// the apex is a square root of a uniform number, because circumference grows with it.
 vec3 sampleCone(float radius, float height, vec2 u) {
     float slant = sqrt(radius * radius + height * height);
     float baseShare = radius / (radius + slant);

@@ -4,7 +4,7 @@
 
 #include "core/warp.glsl"
 
-/// In the quadric's frame, on the side and both caps, each chosen by its area.
+/// In the quadric's frame, on the side or one of the caps, chosen by area.
 vec3 sampleCylinder(float radius, float height, vec2 u) {
     float capShare = 0.5 * radius / (height + radius);
     bool lower = u.x < capShare;

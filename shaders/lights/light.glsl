@@ -1,5 +1,5 @@
-// The closed list of lights, chosen by Light.kind: any primitive may be one, and so may the
-// background. The contract of a kind is in lights/light_sample.glsl.
+// The complete list of lights, chosen by Light.kind: any primitive, and the background, can be one.
+// The contract of a kind is in lights/light_sample.glsl.
 #ifndef CALOTYPE_LIGHTS_LIGHT_GLSL
 #define CALOTYPE_LIGHTS_LIGHT_GLSL
 
@@ -14,14 +14,14 @@
 
 struct LightChoice {
     uint light;
-    float u; ///< in [0, 1): where among the random numbers that choose the light there
+    float u; ///< uniform in [0, 1), also given that this light was chosen
 };
 
-/// Picks a light by its selectionProbability in constant time: a column of the alias table, then
+/// Chooses a light by its selectionProbability in constant time: a column of the alias table, then
 /// the column's own light or its alias (Walker 1974; Vose 1991). u.x is one of the 2^24 random
-/// numbers, each of which chooses exactly what the table says. Its place in the run of those that
-/// choose the same, with u.y for the way to the next, is again uniform, and spread over the light
-/// as evenly as u.x is over them all.
+/// numbers; the table says exactly which light each of them chooses. The position of u.x among the
+/// consecutive numbers that choose the same light, with u.y as the fraction, gives a new uniform
+/// number. It is as evenly distributed for this light as u.x is for all.
 LightChoice chooseLight(uint lightCount, vec2 u) {
     uint number = uint(u.x * kUnitSteps);
     uint column, ignored;
@@ -34,32 +34,32 @@ LightChoice chooseLight(uint lightCount, vec2 u) {
     return LightChoice(isOwn ? column : light.alias, min(inRun / float(run), kOneMinusEpsilon));
 }
 
-/// Whether a primitive's light, or kNone, is one that camera rays pass through.
+/// Whether camera rays pass through this light; false for kNone.
 bool isHiddenFromCamera(uint light) {
     return hasHiddenLights && light != kNone &&
            (loadLight(light).flags & kLightHiddenFromCamera) != 0u;
 }
 
-// Where the kernel has lights of one sort only, it does not look at the kind.
+// If all lights of the scene have the same kind, the kernel does not read Light.kind.
 
 /// A light that is infinitely far away.
 bool isInfiniteLight(Light light) {
     return hasBackground && (!hasAreaLights || light.kind == kLightBackground);
 }
 
-/// For a light that is not infinite.
+/// The light must not be infinite.
 bool isTriangleLight(Light light) {
     return hasTriangleLights && (!hasQuadricLights || light.kind == kLightTriangle);
 }
 
-/// For a light that is neither infinite nor a triangle.
+/// The light must be neither infinite nor a triangle.
 bool isSphereLight(Light light) {
     return hasSphereLights && (!hasOtherQuadricLights || light.kind == kLightSphere);
 }
 
 Quadric quadricOf(Light light) { return loadQuadric(light.primitive & ~kQuadricBit); }
 
-/// A point on the light for lighting `reference`.
+/// Samples a point on the light to illuminate `reference`.
 LightSample sampleLight(Light light, vec3 reference, vec2 u) {
     if (isInfiniteLight(light))
         return sampleBackgroundLight(u);
@@ -71,9 +71,9 @@ LightSample sampleLight(Light light, vec3 reference, vec2 u) {
     return sampleQuadricLight(light.kind, quadric, light.area, reference, u);
 }
 
-/// Density per solid angle with which sampleLight chooses a point that is seen from `reference`, of
-/// a light that is not infinite: 0 on the far side of a closed light, which only a ray through the
-/// alpha of its near side meets.
+/// Density per solid angle with which sampleLight chooses a point that `reference` sees. The light
+/// is not infinite. 0 on the far side of a closed light: only a ray through a transparent point of
+/// its near side gets there.
 float areaLightPdf(Light light, vec3 reference, LightPoint point) {
     if (hasQuadricLights && !isTriangleLight(light)) {
         Quadric quadric = quadricOf(light);
@@ -85,13 +85,13 @@ float areaLightPdf(Light light, vec3 reference, LightPoint point) {
     return solidAnglePdf(light.area, reference, point.position, point.normal);
 }
 
-/// Density per solid angle with which sampleLight chooses a direction, of an infinite light.
+/// Density per solid angle with which sampleLight chooses a direction of an infinite light.
 float infiniteLightPdf(Light light, vec3 wi) { return backgroundLightPdf(wi); }
 
-/// Radiance that arrives from a direction of an infinite light.
+/// Radiance of an infinite light from a direction.
 vec3 infiniteLightRadiance(Light light, vec3 wi) { return backgroundLightRadiance(light, wi); }
 
-/// Radiance that arrives from a point of the light, of any kind.
+/// Radiance from a point of a light of any kind.
 vec3 lightRadiance(Light light, LightPoint point) {
     return isInfiniteLight(light) ? infiniteLightRadiance(light, point.wi)
                                   : areaLightRadiance(light, point);

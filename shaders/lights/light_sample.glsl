@@ -7,7 +7,7 @@
 //   float <kind>LightPdf(..., vec3 reference, LightPoint point)
 //       The density, per solid angle at `reference`, with which that function chooses `point`.
 //   vec3 <kind>LightRadiance(Light light, LightPoint point)
-//       The radiance that arrives from `point`, W/(m^2 sr), if nothing stands in the way.
+// The radiance that arrives from `point`, W/(m^2 sr), if nothing blocks it.
 //
 // Kinds that have an area share the radiance, and the density of uniform points, in
 // lights/area_light.glsl. Kinds that are infinitely far away have the direction point.wi only.
@@ -16,10 +16,10 @@
 #ifndef CALOTYPE_LIGHTS_LIGHT_SAMPLE_GLSL
 #define CALOTYPE_LIGHTS_LIGHT_SAMPLE_GLSL
 
-/// What a ray from a reference point meets of a light.
+/// A point of a light, as a ray from a reference point finds it.
 struct LightPoint {
     vec3 wi;          ///< unit direction from the reference point
-    vec3 position;    ///< this and what follows is only of a light that has an area
+    vec3 position;    ///< this and the fields below: only of lights that have an area
     float error;      ///< bound on the distance along `normal` from `position` to the true surface
     vec3 normal;      ///< of the front
     vec2 coordinates; ///< barycentrics on a triangle, texture coordinates on a quadric
@@ -27,15 +27,15 @@ struct LightPoint {
 
 struct LightSample {
     LightPoint point;
-    float pdf; ///< per solid angle at the reference point; 0 where the point cannot be seen from it
+    float pdf; ///< per solid angle at the reference point; 0 if the point is not visible from it
 };
 
-/// A point that a ray met, with what densities and radiances need of it.
+/// A point on a light that a ray hit. The other fields are zero.
 LightPoint lightPoint(vec3 wi, vec3 position, vec3 normal) {
     return LightPoint(wi, position, 0.0, normal, vec2(0.0));
 }
 
-/// A direction without a place: of a light that is infinitely far away.
+/// A direction only: of a light that is infinitely far away.
 LightPoint pointAtInfinity(vec3 wi) { return LightPoint(wi, vec3(0.0), 0.0, vec3(0.0), vec2(0.0)); }
 
 #endif

@@ -1,6 +1,6 @@
-// Disks, cylinders and cones shine from uniform points on their area (docs/models.md, "Quadric
-// lights"). A closed convex surface shows a point outside only what faces it, and a point inside
-// everything.
+// Disks, cylinders and cones are sampled by uniform points on their area (docs/models.md, "Quadric
+// lights"). From outside, only the parts of a closed convex surface that face the point are
+// visible; from inside, all of it is.
 #ifndef CALOTYPE_LIGHTS_QUADRIC_LIGHT_GLSL
 #define CALOTYPE_LIGHTS_QUADRIC_LIGHT_GLSL
 
@@ -11,7 +11,7 @@
 #include "shapes/quadric.glsl"
 #include "shapes/surface_coordinates.glsl"
 
-/// True where p, in the quadric's frame, lies inside a sphere, cylinder or cone.
+/// True if p, in the quadric's frame, is inside a sphere, cylinder or cone.
 bool isInsideQuadric(Quadric quadric, vec3 p) {
     if (quadric.kind == kSphere)
         return dot(p, p) < quadric.radius * quadric.radius;
@@ -21,14 +21,14 @@ bool isInsideQuadric(Quadric quadric, vec3 p) {
     return y <= yMax && y >= 0.0 && dot(p.xz, p.xz) < radius * radius;
 }
 
-/// True for a point of a closed quadric that its own near side hides from `reference`.
+/// True if the near side of a closed quadric hides this point of it from `reference`.
 bool isOnFarSide(Quadric quadric, vec3 reference, vec3 position, vec3 normal) {
     bool facesAway = dot(reference - position, normal) < 0.0;
     return quadric.kind != kDisk && facesAway &&
            !isInsideQuadric(quadric, (reference - quadric.center) * worldFromQuadric(quadric));
 }
 
-/// `kind` is the light's: a cylinder, a cone or a disk.
+/// `kind` is Light.kind: a cylinder, a cone or a disk.
 LightSample sampleQuadricLight(uint kind, Quadric quadric, float area, vec3 reference, vec2 u) {
     vec3 local;
     if (hasCylinderLights && kind == kLightCylinder)

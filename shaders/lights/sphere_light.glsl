@@ -1,5 +1,5 @@
-// Outside, uniform directions in the cone in which the sphere is seen; inside, uniform points on
-// the whole surface (docs/models.md, "Sphere light").
+// From outside, samples uniform directions in the cone that the sphere subtends; from inside,
+// uniform points on the whole surface (docs/models.md, "Sphere light").
 #ifndef CALOTYPE_LIGHTS_SPHERE_LIGHT_GLSL
 #define CALOTYPE_LIGHTS_SPHERE_LIGHT_GLSL
 
@@ -9,12 +9,12 @@
 #include "shapes/quadric.glsl"
 #include "shapes/surface_coordinates.glsl"
 
-/// 1 - cos of the half angle under which a sphere is seen, from sin^2; without cancellation.
+/// 1 - cos of the half angle that a sphere subtends, from sin^2; without cancellation.
 float oneMinusConeCosine(float sin2ThetaMax) {
     return sin2ThetaMax / (1.0 + sqrt(max(1.0 - sin2ThetaMax, 0.0)));
 }
 
-/// (r / distance)^2 as seen from `reference`: at least 1 from inside.
+/// (r / distance)^2 seen from `reference`: at least 1 from inside.
 float sphereSin2(Quadric sphere, vec3 reference) {
     vec3 toReference = reference - sphere.center;
     return sphere.radius * sphere.radius / dot(toReference, toReference);
@@ -26,10 +26,10 @@ float sphereLightPdf(Quadric sphere, float area, vec3 reference, LightPoint poin
                               : solidAnglePdf(area, reference, point.position, point.normal);
 }
 
-/// The direction from the centre to a point seen under the angle theta off the axis makes the angle
-/// beta - theta with the axis to the reference, where sin beta = sin theta / sin thetaMax by the
-/// law of sines. The direction to the point is the cone's, not a difference of positions: a
-/// reference on the sphere itself is then lit by nothing, since all of the cone lies below it.
+/// Let theta be the angle of the sampled direction to the axis, from the reference to the centre.
+/// At the centre, the point is at the angle beta - theta to the axis, where sin beta = sin theta /
+/// sin thetaMax (law of sines). wi is the sampled direction, not a difference of positions. So a
+/// reference on the sphere itself gets no light, because the whole cone is below its surface.
 LightSample sampleSphereLight(Quadric sphere, float area, vec3 reference, vec2 u) {
     vec3 toReference = reference - sphere.center;
     float sin2ThetaMax = sphereSin2(sphere, reference);

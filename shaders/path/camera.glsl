@@ -8,8 +8,8 @@
 #include "core/warp.glsl"
 #include "shared/scene_structs.h"
 
-/// Ray through a position on the film, in pixels from the top left corner, from the point of the
-/// lens that `u` picks. All rays of a position meet in the plane in focus. Unit direction.
+/// The ray through a position on the film, in pixels from the top left corner, and a point on the
+/// lens that `u` chooses. All rays of a position meet in the plane of focus. Unit direction.
 Ray cameraRay(Camera camera, vec2 filmPosition, uvec2 imageSize, vec2 u) {
     vec2 ndc = 2.0 * filmPosition / vec2(imageSize) - 1.0;
     vec3 onPlane = ndc.x * camera.right - ndc.y * camera.up;

@@ -1,4 +1,4 @@
-// Light that comes straight from one emitter, chosen among all (docs/models.md, "Direct light").
+// Direct light from one emitter, chosen among all (docs/models.md, "Direct light").
 #ifndef CALOTYPE_PATH_DIRECT_LIGHT_GLSL
 #define CALOTYPE_PATH_DIRECT_LIGHT_GLSL
 
@@ -8,7 +8,7 @@
 #include "path/mis.glsl"
 #include "path/visibility.glsl"
 
-/// The share of its light that an emitter with a hole in it sends out.
+/// The alpha of the emitter's own surface: the share of its light that it emits there.
 float emitterAlpha(Light light, vec2 coordinates) {
     bool isTriangle = isTriangleLight(light);
     uint materialIndex =
@@ -18,7 +18,7 @@ float emitterAlpha(Light light, vec2 coordinates) {
     return transparent ? alphaAt(loadMaterial(materialIndex & ~kTransparentBit), uv) : 1.0;
 }
 
-/// From `origin` to a point of the light.
+/// The ray from `origin` to a point of the light.
 Ray rayToLight(Light light, LightPoint point, vec3 origin) {
     if (isInfiniteLight(light))
         return Ray(origin, kFar, point.wi);
@@ -28,7 +28,7 @@ Ray rayToLight(Light light, LightPoint point, vec3 origin) {
     return Ray(origin, distanceToTarget, (target - origin) / distanceToTarget);
 }
 
-/// What arrives from a point of the light, less what its own holes let through.
+/// The radiance from a point of the light, reduced by the alpha of its own surface.
 vec3 arrivingRadiance(Light light, LightPoint point) {
     vec3 radiance = lightRadiance(light, point);
     if (hasLightAlpha && !isInfiniteLight(light))
@@ -36,16 +36,16 @@ vec3 arrivingRadiance(Light light, LightPoint point) {
     return radiance;
 }
 
-/// Light on its way from one point on one emitter.
+/// Light from one point on one emitter, before its shadow ray is traced.
 struct DirectLight {
     Ray ray;       ///< from the surface to the emitter
-    uint target;   ///< the emitter's primitive, which does not stand in its own way
-    vec3 radiance; ///< scattered towards the viewer if nothing stands in the way; 0 for no light
+    uint target;   ///< the emitter's primitive, which the ray ignores
+    vec3 radiance; ///< scattered towards the viewer if nothing blocks it; 0 for no light
 };
 
-/// Where light leaves a surface: points off it on either side.
+/// Origins of the rays that leave a surface, on both sides.
 struct Departure {
-    vec3 viewerSide; ///< off the smooth surface, where there is one
+    vec3 viewerSide; ///< off the smooth surface, if there is one
     vec3 farSide;
 };
 
@@ -56,8 +56,8 @@ Departure departureFrom(Interaction surface, vec3 ng) {
                      offsetFromSurface(surface.position, surface.error, -ng));
 }
 
-/// Light from one point on one emitter, scattered towards the viewer. A light that lies on the far
-/// side is sampled from there, as what crosses the surface starts there.
+/// Light from one point on one emitter, scattered towards the viewer. If the light is on the far
+/// side, it is sampled from the far side's origin, because transmitted rays start there.
 DirectLight directLight(Bsdf bsdf, Departure from, vec4 u, uint lightCount) {
     LightChoice choice = chooseLight(lightCount, u.xz);
     Light light = loadLight(choice.light);

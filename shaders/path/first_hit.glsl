@@ -1,4 +1,4 @@
-// The surface that a pixel shows: what its ray through the middle meets first.
+// The surface that a pixel shows: the first hit of the ray through its centre.
 #ifndef CALOTYPE_PATH_FIRST_HIT_GLSL
 #define CALOTYPE_PATH_FIRST_HIT_GLSL
 
@@ -8,11 +8,11 @@
 #include "shared/layers.h"
 #include "shared/render_structs.h"
 
-/// The most surfaces that a ray passes through, so that a deep stack of them does not take long.
+/// A ray passes through this many surfaces at most, to bound the time that a deep stack takes.
 const uint kMostPassedSurfaces = 1024u;
 
-/// True where the pixel shows what lies behind: at lights hidden from the camera, and where less
-/// than half of the light meets the surface.
+/// True if the pixel shows what is behind: at lights hidden from the camera, and if alpha is below
+/// 1/2.
 bool isSeenThrough(Interaction surface) {
     bool seenThrough = isHiddenFromCamera(surface.light);
     if (hasAlpha && isTransparent(surface.material))
@@ -33,7 +33,7 @@ FirstHit firstHitOn(Interaction surface, Camera camera, vec3 wo) {
     return hit;
 }
 
-/// All fields are 0, but for the primitive.
+/// All fields are 0, except the primitive.
 FirstHit firstHitOnNothing() {
     FirstHit hit;
 #define CALOTYPE_CLEAR(name, type, nothing, channels, help) hit.name = type(0);
@@ -43,7 +43,7 @@ FirstHit firstHitOnNothing() {
     return hit;
 }
 
-/// The search for what a pixel shows.
+/// The state of the search for what a pixel shows.
 struct FirstHitSearch {
     Ray ray;
     uint passed; ///< surfaces that the ray has passed through
@@ -51,13 +51,13 @@ struct FirstHitSearch {
     FirstHitRecord record;
 };
 
-/// The ray goes through the middles of the pixel and of the lens.
+/// The ray goes through the centres of the pixel and of the lens.
 FirstHitSearch startFirstHit(Camera camera, uvec2 pixel, uvec2 imageSize) {
     Ray ray = cameraRay(camera, vec2(pixel) + 0.5, imageSize, vec2(0.0));
     return FirstHitSearch(ray, 0u, true, FirstHitRecord(firstHitOnNothing(), 0u));
 }
 
-/// Takes in what the ray met. Where it has passed through kMostPassedSurfaces, or `mayGoOn` is
+/// Takes the hit of the ray. If the ray has passed through kMostPassedSurfaces, or `mayGoOn` is
 /// false, the search ends there, and its record says that it was cut.
 void extendFirstHit(inout FirstHitSearch search, Hit hit, Camera camera, bool mayGoOn) {
     search.goesOn = false;

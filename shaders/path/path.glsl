@@ -1,6 +1,6 @@
 // A light path, one ray at a time (docs/models.md, "Light transport"). After each ray the path
 // takes one of these steps:
-//     pathMiss           its ray left the scene
+// pathMiss           its ray left the scene
 //     pathSurface        its ray met a surface
 //     pathShadow         its shadow ray reached the light, or something opaque before it
 //     pathShadowThrough  its shadow ray met a surface that lets a part of the light through
@@ -11,9 +11,9 @@
 #include "path/direct_light.glsl"
 #include "path/path_state.glsl"
 
-/// Weight of light found at the end of the path's ray. After a scattering event the same light
-/// could have been found by directLight, with density `lightPdf`, so the two share it, or without
-/// multiple importance sampling it is all directLight's.
+/// Weight of light found at the end of the path's ray. After a scattering event, directLight could
+/// have found the same light with density `lightPdf`. So the two share it by multiple importance
+/// sampling; without that, only directLight counts it.
 float bsdfWeight(Path path, float lightPdf) {
     if (path.bounce == 0u)
         return 1.0;
@@ -22,7 +22,7 @@ float bsdfWeight(Path path, float lightPdf) {
     return path.bsdfPdf >= kSpecularPdf || lightPdf == 0.0 ? 1.0 : 0.0;
 }
 
-/// Light that comes from infinitely far away.
+/// Light from infinitely far away.
 vec3 infiniteLight(Path path, Light light) {
     float pdf = infiniteLightPdf(light, path.rayDirection) * light.selectionProbability;
     return infiniteLightRadiance(light, path.rayDirection) * bsdfWeight(path, pdf);
@@ -47,7 +47,7 @@ vec3 emittedLight(Path path, Interaction surface, Light light) {
 struct MetSurface {
     Interaction surface;
     Material material;
-    float alpha; ///< share of the light that meets the surface; the rest passes through
+    float alpha; ///< share of the light that the surface scatters; the rest passes through
 };
 
 MetSurface surfaceAt(Hit hit, Ray ray) {
@@ -59,8 +59,8 @@ MetSurface surfaceAt(Hit hit, Ray ray) {
     return MetSurface(surface, material, alpha);
 }
 
-/// True where the path goes on as if the surface were not there. A ray that enters and leaves the
-/// same primitive meets it twice, so its sides have random numbers of their own.
+/// True if the path continues as if the surface were not there. A ray that enters and leaves the
+/// same primitive hits it twice, so each side has its own random numbers.
 bool passesThrough(Path path, MetSurface met) {
     Interaction surface = met.surface;
     bool passes = path.bounce == 0u && isHiddenFromCamera(surface.light);
@@ -73,8 +73,8 @@ bool passesThrough(Path path, MetSurface met) {
     return passes;
 }
 
-/// Ends a path of little throughput by chance, and makes up for it where the path goes on (Arvo and
-/// Kirk 1990, "Particle Transport and Image Synthesis").
+/// Ends a path of low throughput at random, and increases the weight of one that continues (Arvo
+/// and Kirk 1990, "Particle Transport and Image Synthesis").
 void playRoulette(inout Path path, float u) {
     if (path.bounce < kEventsBeforeRoulette)
         return;
@@ -90,7 +90,7 @@ bool scatter(inout Path path, Interaction surface, Material material, PathLimits
     Bsdf bsdf = makeBsdf(parameters, surface.ng, surface.ns, surface.horizon, wo);
     Departure from = departureFrom(surface, bsdf.ng);
 
-    // Light from one emitter, before the throughput is that of the next direction.
+    // Direct light first: the throughput does not include the next direction yet.
     DirectLight light = DirectLight(pathRay(path), kNone, vec3(0.0));
     if (hasLights && !isSpecular(bsdf)) {
         vec4 uLight = samplerNumbers(path.id, bounceDimension(path.bounce, kDimensionLight));
@@ -144,7 +144,7 @@ bool pathShadowThrough(inout Path path, MetSurface met) {
     return greatest(path.arriving) > 0.0 || leaveVertex(path);
 }
 
-/// Takes the step that follows from what the path's ray was for and what it met.
+/// Takes the step that follows from the kind of the path's ray and its hit.
 bool stepPath(inout Path path, Hit hit, PathLimits limits) {
     bool isTranslucent = hasAlpha && hit.isTransparent;
     if (hasShadowRay(path) && !isTranslucent)

@@ -4,14 +4,14 @@
 ROW(vec3, rayOrigin, xyz) ///< of the ray to trace next, metres
 FIELD(float, rayTMax, w)
 ROW(vec3, rayDirection, xyz) ///< unit vector
-FIELD(uint, target, w) ///< the primitive that the ray never meets: a shadow ray's light, else kNone
-ROW(vec3, vertex, xyz) ///< where the last event sent the path from; the ray may start further on
+FIELD(uint, target, w) ///< the primitive that the ray ignores: a shadow ray's light, else kNone
+ROW(vec3, vertex, xyz) ///< where the last event sent the path from; the ray may start farther along
 FIELD(uint, bounce, w) ///< scattering events so far
 ROW(vec3, throughput, xyz)    ///< product of the weights so far
 FIELD(float, bsdfPdf, w)      ///< density per solid angle of the path's direction, after an event
 ROW(vec3, radiance, xyz)      ///< found so far, W/(m^2 sr)
-FIELD(float, etaScale, w)     ///< undoes what crossing into glass took off `throughput`
-ROW(vec3, arriving, xyz)      ///< of a shadow ray: what it adds if nothing stands in its way
+FIELD(float, etaScale, w)     ///< the factor that undoes the scaling of `throughput` by refraction
+ROW(vec3, arriving, xyz)      ///< of a shadow ray: what it adds if nothing blocks it
 FIELD(uint, rayKind, w)       ///< kPathRay or kShadowRay
 ROW(vec3, nextDirection, xyz) ///< in which the path leaves its vertex after a shadow ray
 FIELD(uint, pad0, w)

@@ -1,4 +1,4 @@
-// What is known of a light path between two of its rays.
+// The state of a light path between two of its rays.
 #ifndef CALOTYPE_PATH_PATH_STATE_GLSL
 #define CALOTYPE_PATH_PATH_STATE_GLSL
 
@@ -8,8 +8,8 @@
 #include "film/film_filter.glsl"
 #include "path/camera.glsl"
 
-// What the path's ray is for.
-const uint kPathRay = 0u;   ///< finds where the path goes on
+// The purpose of the path's ray.
+const uint kPathRay = 0u;   ///< finds the next surface of the path
 const uint kShadowRay = 1u; ///< finds whether light arrives at the path's vertex
 
 struct Path {
@@ -59,7 +59,7 @@ Path startPath(SampleId id, Camera camera, uvec2 imageSize) {
     return path;
 }
 
-/// Sends the path on from its vertex. False where nothing that it could find would count.
+/// Sends the path on from its vertex. False if the throughput is zero.
 bool leaveVertex(inout Path path) {
     setRay(path, Ray(path.vertex, kFar, path.nextDirection), kPathRay, kNone);
     return greatest(path.throughput) > 0.0;

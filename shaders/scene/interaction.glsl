@@ -1,4 +1,4 @@
-// From a hit to what shading needs to know of the surface there.
+// From a hit to the surface data that shading needs.
 #ifndef CALOTYPE_SCENE_INTERACTION_GLSL
 #define CALOTYPE_SCENE_INTERACTION_GLSL
 
@@ -14,14 +14,14 @@ struct Interaction {
     vec3 ng;       ///< unit geometric normal, outward
     vec3 ns;       ///< unit shading normal, on the side of ng
     vec3 horizon;  ///< unit normal below which the surface cannot be lit: ng, or ns where smooth
-    vec3 toSmooth; ///< from `position` to where light leaves towards the ray's side
+    vec3 toSmooth; ///< from `position` to the origin of rays on the ray's side
     SurfaceCoordinates coordinates;
     uint material; ///< index, with kTransparentBit
     uint light;    ///< or kNone
     uint id;       ///< the primitive's number in the scene file
 };
 
-/// The interpolated normal, and how far the smooth surface stands off the triangle.
+/// Sets the interpolated normal, and the offset of the smooth surface from the triangle.
 void smoothen(inout Interaction surface, Triangle triangle, TriangleNormals normals,
               vec2 barycentrics, vec3 direction) {
     vec3 n = (1.0 - barycentrics.x - barycentrics.y) * normals.n0 + barycentrics.x * normals.n1 +
@@ -38,8 +38,8 @@ void smoothen(inout Interaction surface, Triangle triangle, TriangleNormals norm
     surface.horizon = isConvex ? surface.ns : surface.ng;
 }
 
-/// The point is taken from the barycentrics, the base corner added last: its error is relative to
-/// the triangle, not to the length of the ray (Pharr, Jakob and Humphreys, PBR 3.9 and 6.8).
+/// The point comes from the barycentrics, and the base corner is added last: its error is relative
+/// to the triangle, not to the length of the ray (Pharr, Jakob and Humphreys, PBR 3.9 and 6.8).
 Interaction triangleInteraction(uint index, Ray ray) {
     Triangle triangle = loadTriangle(index);
     vec3 edge1 = triangle.v1 - triangle.v0;

@@ -1,4 +1,4 @@
-// What a surface is made of at a point: its material with all textures looked up.
+// The material at a point of a surface, with all textures looked up.
 #ifndef CALOTYPE_SCENE_SURFACE_GLSL
 #define CALOTYPE_SCENE_SURFACE_GLSL
 
@@ -11,7 +11,7 @@ Material materialOf(Interaction surface) {
     return loadMaterial(surface.material & ~kTransparentBit);
 }
 
-/// The share of light that meets the surface, in [0, 1]; the rest passes through.
+/// The share of light that the surface scatters, in [0, 1]; the rest passes through.
 float alphaAt(Material material, vec2 uv) {
     float alpha = material.opacity;
     if (hasTextures && material.alphaTexture != kNone)
@@ -19,7 +19,7 @@ float alphaAt(Material material, vec2 uv) {
     return alpha;
 }
 
-/// Looks up the material's textures, and turns the shading normal as its normal map says.
+/// Looks up the material's textures, and applies its normal map to the shading normal.
 SurfaceParameters surfaceParameters(Material material, inout Interaction surface) {
     vec2 uv = hasTextures ? surface.coordinates.uv : vec2(0.0);
     vec3 color = material.color;

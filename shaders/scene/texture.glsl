@@ -1,8 +1,8 @@
-// Textures by our own filter: hardware filters with weights of 8 bits, and not every driver has
-// them for images of any number and size.
+// Textures are filtered in software: hardware filters with weights of 8 bits, and not every driver
+// supports filtering for images of any number and size.
 //
-// v = 0 is the bottom, row 0 of an image its top; texel centres lie at (i + 1/2) / n. Colours are
-// decoded before they are filtered.
+// v = 0 is the bottom, row 0 of an image is its top; texel centres are at (i + 1/2) / n. Colours
+// are decoded before they are filtered.
 #ifndef CALOTYPE_SCENE_TEXTURE_GLSL
 #define CALOTYPE_SCENE_TEXTURE_GLSL
 
@@ -10,7 +10,7 @@
 #include "config/features.glsl"
 #include "core/srgb.glsl"
 
-/// Texture coordinates brought into [0, 1].
+/// Texture coordinates wrapped into [0, 1].
 vec2 wrapCoordinates(vec2 uv, uint flags) {
     vec2 repeated = uv - floor(uv);
     vec2 mirrored = 1.0 - abs(uv - 2.0 * floor(0.5 * uv) - 1.0);
@@ -20,8 +20,8 @@ vec2 wrapCoordinates(vec2 uv, uint flags) {
                                             : repeated;
 }
 
-/// The column or row of an image beside its edge: the other edge's where it repeats. Always one of
-/// the image's, also next to a coordinate that was rounded to 1 or is not a number.
+/// Wraps a column or row next to the edge of an image: to the other edge if the image repeats. The
+/// result is always inside the image, also for a coordinate that was rounded to 1 or is NaN.
 int wrapTexel(int i, int count, uint flags) {
     bool repeats = (flags & (kTextureClamps | kTextureMirrors)) == 0u;
     int wrapped = i < 0 ? i + count : i >= count ? i - count : i;
@@ -34,7 +34,7 @@ vec4 unpackBytes(uint word) {
     return vec4(bytes) * (1.0 / 255.0);
 }
 
-/// Column i, row j from the bottom.
+/// The texel in column i and row j, counted from the bottom.
 vec4 loadTexel(Texture image, int i, int j, bool decode) {
     uint column = uint(wrapTexel(i, int(image.width), image.flags));
     uint row = image.height - 1u - uint(wrapTexel(j, int(image.height), image.flags));

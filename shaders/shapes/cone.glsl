@@ -7,10 +7,10 @@
 //   a < 0  steeper: outside between the roots, and inside our nappe beyond the root that lies in
 //          the direction in which the line climbs towards the base;
 //   a = 0  parallel to a line of the surface: the case a < 0 with one root at infinity.
-// All three coefficients cancel for far origins, so from beyond twice the cone's size the quadratic
-// is set up at the line's point nearest to the apex, which no ray starts from. The mirror nappe
-// never counts: in the first case the slab 0 <= y / h <= 1 rejects it, in the second the half line
-// chosen is not in it. The slab and the surface are cut by intersecting intervals, so no ray passes
+// All three coefficients cancel for far origins: beyond twice the cone's size, the quadratic is set
+// up at the line's point nearest to the apex, where no ray starts. The mirror nappe never counts:
+// the slab 0 <= y / h <= 1 rejects it in the first case, and the chosen half line excludes it in
+// the second. Slab and surface are intersected as intervals: no ray passes between them at the rim.
 // between side and base at the rim.
 #ifndef CALOTYPE_SHAPES_CONE_GLSL
 #define CALOTYPE_SHAPES_CONE_GLSL
@@ -19,7 +19,7 @@
 #include "shapes/quadratic.glsl"
 #include "shapes/slab.glsl"
 
-/// Parameter of the first crossing of side or base, or kFar.
+/// Parameter of the first crossing of side or base, or kFar if there is none.
 float intersectCone(LocalRay ray, float height, float slope) {
     float towardBase = height < 0.0 ? -1.0 : 1.0;
     vec3 o = vec3(ray.origin.x, ray.origin.y * towardBase, ray.origin.z);
@@ -49,13 +49,13 @@ float intersectCone(LocalRay ray, float height, float slope) {
     return hit ? firstCrossing(interval) : kFar;
 }
 
-/// True where p is nearer to the base than to the side.
+/// True if p is nearer to the base than to the side.
 bool isOnConeBase(vec3 p, float height, float slope) {
     float toSide = abs(length(p.xz) - slope * abs(p.y)) * inversesqrt(1.0 + slope * slope);
     return abs(p.y - height) < toSide;
 }
 
-/// Onto the surface, but no nearer than `margin` to the rim.
+/// The nearest point on the surface, at least `margin` away from the rim.
 vec3 projectOntoCone(vec3 p, float height, float slope, float margin) {
     float radius = length(p.xz);
     if (isOnConeBase(p, height, slope)) {
@@ -71,7 +71,7 @@ vec3 projectOntoCone(vec3 p, float height, float slope, float margin) {
     return vec3(side.x, height < 0.0 ? -y : y, side.y);
 }
 
-/// Outward unit normal at a point near the surface. The apex's is the axis, away from the base.
+/// Outward unit normal at a point near the surface. At the apex it is the axis, away from the base.
 vec3 coneNormal(vec3 p, float height, float slope) {
     float towardBase = height < 0.0 ? -1.0 : 1.0;
     if (isOnConeBase(p, height, slope))

@@ -1,6 +1,6 @@
 // Closed cylinder x^2 + z^2 <= r^2, |y| <= h / 2 (docs/models.md, "Cylinder"): the line is inside
-// where it is inside both the infinite cylinder and the slab between the caps. Intersecting the two
-// intervals, instead of testing each candidate against the other surface's limits, leaves no gap
+// if it is inside both the infinite cylinder and the slab between the caps. The two intervals are
+// intersected, because testing each candidate against the limits of the other surface leaves gaps
 // along the rims.
 //     f(t) in x and z alone: a = dx^2 + dz^2,  b = ox dx + oz dz,  c = ox^2 + oz^2 - r^2,
 //     D = r^2 a - (oz dx - ox dz)^2.
@@ -31,12 +31,12 @@ float intersectCylinder(LocalRay ray, float radius, float height) {
     return hit ? firstCrossing(vec2(max(side.x, caps.x), min(side.y, caps.y))) : kFar;
 }
 
-/// True where p is nearer to a cap than to the side.
+/// True if p is nearer to a cap than to the side.
 bool isOnCylinderCap(vec3 p, float radius, float height) {
     return abs(abs(p.y) - 0.5 * height) < abs(length(p.xz) - radius);
 }
 
-/// Onto the surface, but no nearer than `margin` to a rim.
+/// The nearest point on the surface, at least `margin` away from a rim.
 vec3 projectOntoCylinder(vec3 p, float radius, float height, float margin) {
     float distance = length(p.xz);
     if (isOnCylinderCap(p, radius, height)) {

@@ -1,5 +1,5 @@
-// Disk of radius r about the origin in the plane y = 0, seen from both sides. The hit keeps x and z
-// of the ray and y = 0 exactly; an origin within rounding of the plane does not meet it.
+// Disk of radius r about the origin in the plane y = 0, seen from both sides. The hit has x and z
+// of the ray and y = 0 exactly. A ray that starts in the plane, up to rounding, misses it.
 #ifndef CALOTYPE_SHAPES_DISK_GLSL
 #define CALOTYPE_SHAPES_DISK_GLSL
 

@@ -1,11 +1,11 @@
-// A ray seen from a quadric's own frame.
+// A ray in a quadric's own frame.
 #ifndef CALOTYPE_SHAPES_LOCAL_RAY_GLSL
 #define CALOTYPE_SHAPES_LOCAL_RAY_GLSL
 
 #include "core/rounding.glsl"
 
 /// `error` bounds the rounding of each component of the origin: three products and two sums, after
-/// one difference, so gamma_4 of the terms' absolute values. It vanishes with them: for an
+/// one difference, so gamma_4 of the terms' absolute values. It is zero where these are: in an
 /// unrotated frame each component's error is relative to that component alone.
 struct LocalRay {
     vec3 origin;

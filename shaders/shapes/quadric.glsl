@@ -1,4 +1,4 @@
-// The closed list of quadrics and disks: their intersection, surface and normal by kind.
+// The complete list of quadrics and disks: intersection, surface point and normal by kind.
 #ifndef CALOTYPE_SHAPES_QUADRIC_GLSL
 #define CALOTYPE_SHAPES_QUADRIC_GLSL
 
@@ -37,8 +37,8 @@ struct QuadricPoint {
     vec3 normal; ///< outward; along the axis for a disk
 };
 
-/// The point of a sphere nearest to `p`, both in the world. Error: of the distance to the surface,
-/// and a rounding of its product with the normal and of the sum.
+/// The point of a sphere nearest to `p`, both in world space. Its error: that of the distance to
+/// the surface, and one rounding each for the product with the normal and for the sum.
 QuadricPoint spherePoint(Quadric sphere, vec3 p) {
     SpherePosition at = positionOnSphere(sphere, p);
     float correction = distanceToSphere(at, sphere.radius);
@@ -50,10 +50,10 @@ QuadricPoint spherePoint(Quadric sphere, vec3 p) {
     return point;
 }
 
-/// How far points are kept off the rims of a solid: moved off their face by their error, they still
-/// have to lie on the inner side of the other one, as far as a ray from there can tell. That is a
-/// sum of 32 roundings of the solid's size and eight of its coordinates; but for solids so far that
-/// this would move points visibly, no more than a 64th of their size.
+/// The least distance of points from the rims of a solid. A point is moved off its face by its
+/// error; a ray from there must still find it on the inner side of the other face. That takes 32
+/// roundings of the solid's size and eight of its coordinates, but at most a 64th of the size, so
+/// that points of far solids do not move visibly.
 float rimMargin(Quadric quadric) {
     vec3 center = abs(quadric.center);
     float height = abs(quadric.extent);
@@ -62,9 +62,9 @@ float rimMargin(Quadric quadric) {
                   0.015625 * lesser(quadric.radius, height));
 }
 
-/// The surface point nearest to `p`, which is given in the quadric's frame. Error: projection and
-/// rotation take at most eight operations on numbers no larger than the shape, the sum with the
-/// centre one more on its coordinates.
+/// The surface point nearest to `p`, which is in the quadric's frame. Error: projection and
+/// rotation take at most eight operations on numbers no larger than the shape; the sum with the
+/// centre adds one on its coordinates.
 QuadricPoint quadricPoint(Quadric quadric, vec3 p) {
     mat3 worldFromLocal = worldFromQuadric(quadric);
     if (hasSpheres && quadric.kind == kSphere)
@@ -81,7 +81,7 @@ QuadricPoint quadricPoint(Quadric quadric, vec3 p) {
     } else {
         p.y = 0.0;
     }
-    // Precise: a kernel for disks alone knows that p.y is 0 and must not sum in another order.
+    // Precise: compiled for disks only, p.y is 0, and the sum must keep its order.
     precise vec3 offset = worldFromLocal * p;
     QuadricPoint point;
     point.position = quadric.center + offset;

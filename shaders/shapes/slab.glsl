@@ -1,10 +1,10 @@
-// Where a line passes between two parallel planes.
+// The part of a line between two parallel planes.
 #ifndef CALOTYPE_SHAPES_SLAB_GLSL
 #define CALOTYPE_SHAPES_SLAB_GLSL
 
 #include "core/constants.glsl"
 
-/// 1 / x, where |x| is at least 1e-18 so that no product with a difference of coordinates is NaN.
+/// 1 / x, with |x| at least 1e-18, so that no product with a difference of coordinates is NaN.
 float safeReciprocal(float x) { return 1.0 / (abs(x) < 1e-18 ? (x < 0.0 ? -1e-18 : 1e-18) : x); }
 
 vec3 safeReciprocal(vec3 v) {
@@ -22,8 +22,8 @@ vec2 slabInterval(float y, float dy, float lower, float upper, float error) {
     return vec2(min(tLower, tUpper), max(tLower, tUpper));
 }
 
-/// First crossing of the boundary of a convex solid along a ray, given where its line is inside:
-/// the entry if it lies ahead, else the exit; kFar if neither does.
+/// First crossing of the boundary of a convex solid along a ray, from the interval in which its
+/// line is inside: the entry if it is ahead, else the exit; kFar if neither is.
 float firstCrossing(vec2 interval) {
     float t = interval.x > 0.0 ? interval.x : interval.y;
     return interval.x <= interval.y && t > 0.0 ? t : kFar;

@@ -1,13 +1,13 @@
 // Sphere |p| = radius (docs/models.md, "Sphere"), as the quadratic
 //     f(t) = |o + t d|^2 - r^2,  a = d.d,  b = o.d,  c = o.o - r^2.
-// Near the surface c cancels: of a sphere of a thousand kilometres, float would know the height of
-// a point to decimetres only. So the centre has a second float for each coordinate, and c is summed
-// with the errors of its sums and products, to 2^-44 of o.o + r^2: there, to a ten thousandth of a
-// millimetre. Near the surface, D = b^2 - a c then takes rounding relative to b^2, which is small
-// towards the horizon; from afar it is D = r^2 d.d - |o x d|^2.
-// Valid for any origin, radius and length of d whose squares neither overflow nor underflow.
-// The hit is then moved onto the surface by the same c, so its error does not grow with the
-// distance, nor with the radius.
+// Near the surface c cancels: for a sphere of a thousand kilometres, a float c would give the
+// height of a point only to decimetres. So the centre has a second float for each coordinate, and c
+// is the sum with the errors of its sums and products, accurate to 2^-44 of o.o + r^2: for that
+// sphere, a ten thousandth of a millimetre. Near the surface, D is b^2 - a c, with a rounding
+// relative to b^2, which is small towards the horizon; from far away it is D = r^2 d.d - |o x d|^2.
+// Valid for any origin, radius and length of d whose squares do not overflow or underflow. The hit
+// is then moved onto the surface with the same c, so its error grows neither with the distance nor
+// with the radius.
 #ifndef CALOTYPE_SHAPES_SPHERE_GLSL
 #define CALOTYPE_SHAPES_SPHERE_GLSL
 
@@ -16,15 +16,15 @@
 #include "shapes/quadratic.glsl"
 #include "shapes/slab.glsl"
 
-/// A point as a sphere sees it.
+/// A point relative to a sphere.
 struct SpherePosition {
     vec3 fromCenter;
     float power;      ///< |p - center|^2 - radius^2: above 0 outside
     float powerError; ///< bound on the error of `power`
 };
 
-/// `centerRest` is what rounding took from `center`. The bound: the sums and products of the errors
-/// are off by some eight roundings, relative to terms that are themselves roundings.
+/// `centerRest` is the rounding error of `center`. The bound: the sums and products of the errors
+/// have about eight roundings, relative to terms that are themselves roundings.
 SpherePosition spherePosition(vec3 p, vec3 center, vec3 centerRest, float radius) {
     precise vec3 v = p - center;
     precise vec3 rest = vec3(sumError(p.x, -center.x, v.x), sumError(p.y, -center.y, v.y),
@@ -60,7 +60,7 @@ float intersectSphere(SpherePosition origin, vec3 d, float radius) {
     return hit ? firstCrossing(interval) : kFar;
 }
 
-/// How far the sphere lies off the point, along the outward normal: radius - |p - center|.
+/// Distance from the point to the sphere along the outward normal: radius - |p - center|.
 float distanceToSphere(SpherePosition p, float radius) {
     return -p.power / (radius + length(p.fromCenter));
 }

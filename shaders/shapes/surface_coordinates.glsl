@@ -1,4 +1,4 @@
-// Texture coordinates, and the directions in which they grow.
+// Texture coordinates, and their tangents dp/du and dp/dv.
 #ifndef CALOTYPE_SHAPES_SURFACE_COORDINATES_GLSL
 #define CALOTYPE_SHAPES_SURFACE_COORDINATES_GLSL
 
@@ -10,16 +10,16 @@
 
 struct SurfaceCoordinates {
     vec2 uv;
-    vec3 dpdu; ///< along growing u, of any length; zero where u has no direction
+    vec3 dpdu; ///< in the direction of growing u, of any length; zero if u has no direction
     vec3 dpdv; ///< likewise for v
 };
 
-/// About the axis y, from x towards z; v is added by the caller.
+/// u goes around the y axis, from x towards z; the caller gives v.
 SurfaceCoordinates aroundAxis(vec3 p, float v, vec3 dpdv) {
     return SurfaceCoordinates(vec2(angleInTurns(p.x, p.z), v), vec3(-p.z, 0.0, p.x), dpdv);
 }
 
-/// On caps, bases and disks: the square about the circle.
+/// On caps, bases and disks: the square around the circle.
 SurfaceCoordinates acrossDisk(vec3 p, float radius) {
     return SurfaceCoordinates(0.5 + 0.5 * p.xz / radius, vec3(1.0, 0.0, 0.0), vec3(0.0, 0.0, 1.0));
 }
@@ -36,7 +36,7 @@ SurfaceCoordinates cylinderCoordinates(vec3 p, float radius, float height) {
     return aroundAxis(p, p.y / height + 0.5, vec3(0.0, 1.0, 0.0));
 }
 
-/// On the side v is 0 at the lower end, be it the apex or the base.
+/// On the side v is 0 at the lower end, which is the apex or the base.
 SurfaceCoordinates coneCoordinates(vec3 p, float radius, float height, float slope) {
     if (isOnConeBase(p, height, slope))
         return acrossDisk(p, radius);
@@ -44,7 +44,7 @@ SurfaceCoordinates coneCoordinates(vec3 p, float radius, float height, float slo
     return height < 0.0 ? aroundAxis(p, 1.0 - fromApex, -p) : aroundAxis(p, fromApex, p);
 }
 
-/// Of a point in the quadric's frame; the directions are in that frame too.
+/// For a point in the quadric's frame; the tangents are in that frame too.
 SurfaceCoordinates quadricCoordinates(Quadric quadric, vec3 p) {
     if (hasSpheres && quadric.kind == kSphere)
         return sphereCoordinates(p);
@@ -60,8 +60,8 @@ vec2 triangleUv(TriangleUvs uvs, vec2 barycentrics) {
            barycentrics.y * uvs.uv2;
 }
 
-/// The tangents are those of docs/models.md, "Tangents", up to their lengths: only the sign of the
-/// determinant is used, so nothing is divided. Differences of uvs below 1e-19 count as none.
+/// The tangents of docs/models.md, "Tangents", except for their lengths: only the sign of the
+/// determinant is used, so there is no division. Differences of uvs below 1e-19 count as zero.
 SurfaceCoordinates triangleCoordinates(TriangleUvs uvs, vec2 barycentrics, vec3 edge1, vec3 edge2) {
     vec2 uv1 = uvs.uv1 - uvs.uv0;
     vec2 uv2 = uvs.uv2 - uvs.uv0;

@@ -1,21 +1,21 @@
 // Watertight triangles (Woop, Benthin and Wald 2013, "Watertight Ray/Triangle Intersection").
 //
-// The corners, seen from the ray's origin, are sheared so that the ray becomes the z axis; the
-// triangle is hit where the origin of the xy plane lies inside its projection, by the signs of
-// three edge functions. Two triangles that share an edge compute the same products for it,
-// subtracted the other way round: `precise` forbids a fused multiply-add, whose two roundings would
-// differ, so the signs are opposite or both zero, and zero counts as inside for both. No ray passes
-// between them. Rounding turns no sign round, but it may zero all three of a sliver; what is then
-// left of the test is that the origin lies in the box about the projection, which every triangle
-// that contains it passes. There is no threshold on the determinant: small triangles are not lost.
+// The corners are moved to the ray's origin and sheared so that the ray becomes the z axis. The ray
+// hits the triangle if the origin of the xy plane is in its projection, by the signs of three edge
+// functions. Two triangles that share an edge compute the same products for it, subtracted in
+// opposite order. `precise` forbids fused multiply-adds, which would round differently. So the
+// signs are opposite or both zero, and zero counts as inside: no ray passes between them. Rounding
+// never reverses a sign, but may make all three zero for a sliver; then the remaining test is that
+// the origin is in the bounding box of the projection, which holds for every triangle that contains
+// it. There is no threshold on the determinant: small triangles are not lost.
 //
-// Whether the hit lies ahead is decided by the plane: with the unit normal n and s the vector from
-// the origin to a corner, t = n.s / n.d. The host rounds n once, so n.s carries gamma_5 of |n|.|s|
-// (n, a difference, a product and two sums), and n.d gamma_4 of |n|.|d|. Where both are larger than
-// that, their signs are certain: a ray does not meet the plane that it leaves, and a hit is not
-// lost however thin the triangle is. Else the origin lies in the plane, or the ray runs along it,
-// as far as float can tell; the hit then counts if all of the triangle lies ahead. The hit is a
-// mean of the corners, so t is held to their range.
+// Whether the hit is ahead of the origin is decided by the plane: with the unit normal n and s the
+// vector from the origin to a corner, t = n.s / n.d. The host rounds n once, so n.s has an error of
+// gamma_5 of |n|.|s| (n, a difference, a product and two sums), and n.d of gamma_4 of |n|.|d|. If
+// both are larger than that, their signs are certain: a ray does not hit the plane that it leaves,
+// and a hit is not lost, however thin the triangle is. Otherwise the origin is in the plane, or the
+// ray runs along it, within float precision; then the hit counts if all of the triangle is ahead.
+// The hit is a mean of the corners, so t is clamped to their range.
 #ifndef CALOTYPE_SHAPES_TRIANGLE_GLSL
 #define CALOTYPE_SHAPES_TRIANGLE_GLSL
 
@@ -24,12 +24,12 @@
 #include "core/select.glsl"
 #include "shapes/triangle_point.glsl"
 
-/// A ray prepared for many triangles: its longest axis becomes z, the other two follow in turn.
+/// A ray prepared for many triangles: its longest axis becomes z, and the other two follow in turn.
 struct ShearedRay {
     vec3 origin;
     vec3 direction;
-    vec3 shear; ///< direction.xy / direction.z and 1 / direction.z, after the turn of axes
-    uint axis;  ///< 0, 1 or 2: the one of largest |direction|, the first of equals
+    vec3 shear; ///< direction.xy / direction.z and 1 / direction.z, after the axes are permuted
+    uint axis;  ///< 0, 1 or 2: the axis of the largest |direction|, the first one if equal
 };
 
 vec3 turnAxes(vec3 v, uint axis) { return axis == 0u ? v.yzx : axis == 1u ? v.zxy : v; }
@@ -46,7 +46,7 @@ ShearedRay shearedRay(vec3 origin, vec3 direction) {
     return ray;
 }
 
-/// The corners as the ray sees them: xy across it, z along its longest axis.
+/// The corners in the frame of the ray: xy across it, z along its longest axis.
 struct ShearedTriangle {
     vec2 a;
     vec2 b;
@@ -72,7 +72,7 @@ vec3 edgeFunctions(vec2 a, vec2 b, vec2 c) {
     return vec3(e0, e1, e2);
 }
 
-/// True where the ray is in the box about the projected triangle.
+/// True if the ray is in the bounding box of the projected triangle.
 bool isInBox(ShearedTriangle seen) {
     vec2 lower = lesser(lesser(seen.a, seen.b), seen.c);
     vec2 upper = greater(greater(seen.a, seen.b), seen.c);

@@ -1,17 +1,17 @@
-// Where on a triangle a ray meets it.
+// The barycentric coordinates of a hit on a triangle.
 //
-// The barycentric weights are the edge functions over their sum. The products of the edge functions
-// are rounded relative to the corners' distances from the ray, which for a sliver outweighs its
-// area, and its hits would be strewn along it. So the products are taken without error here. What
-// is left is the rounding of the sheared corners, a shift by some 2^-22 of their distances.
+// The barycentric weights are the edge functions over their sum. Rounding of their products is
+// relative to the corners' distances from the ray, which for a sliver exceeds its area: hits would
+// be scattered along it. So the products are computed without error here. What remains is the
+// rounding of the sheared corners, a shift by about 2^-22 of their distances.
 #ifndef CALOTYPE_SHAPES_TRIANGLE_BARYCENTRICS_GLSL
 #define CALOTYPE_SHAPES_TRIANGLE_BARYCENTRICS_GLSL
 
 #include "core/error_free.glsl"
 #include "shapes/triangle.glsl"
 
-/// Weights of the ends of the longest of the projected edges for the point of it that is nearest to
-/// the ray: what is left where the projection has no area.
+/// For a projection without area: the weights of the point nearest to the ray on the longest of the
+/// projected edges.
 vec3 weightsOnLongestEdge(ShearedTriangle seen) {
     float ab = dot(seen.b - seen.a, seen.b - seen.a);
     float bc = dot(seen.c - seen.b, seen.c - seen.b);
@@ -26,14 +26,14 @@ vec3 weightsOnLongestEdge(ShearedTriangle seen) {
     return isAb ? weights : isBc ? weights.zxy : weights.yzx;
 }
 
-/// Weights of the second and third corner at a hit; each in [0, 1], and so is what they leave.
+/// Weights of the second and third corner at a hit; each is in [0, 1], and so is their sum.
 vec2 triangleBarycentrics(ShearedRay ray, Triangle triangle) {
     ShearedTriangle seen = shearTriangle(ray, triangle);
     vec3 e = vec3(differenceOfProducts(seen.c.x, seen.b.y, seen.c.y, seen.b.x),
                   differenceOfProducts(seen.a.x, seen.c.y, seen.a.y, seen.c.x),
                   differenceOfProducts(seen.b.x, seen.a.y, seen.b.y, seen.a.x));
-    // The accepted hit's are of one sign but for what rounding zeroed, which may have had the
-    // other.
+    // For an accepted hit all have the same sign, except those that were rounded to zero there:
+    // these may have the other one.
     e = e.x + e.y + e.z < 0.0 ? -e : e;
     e = greater(e, vec3(0.0));
     float sum = e.x + e.y + e.z;

@@ -1,11 +1,11 @@
-// Descriptor bindings of set 0, one a line and numbered by lines, so there is no line between them.
-// From a line comes kBindingCamera (shared/bindings.h).
+// Descriptor bindings of set 0, one per line, numbered by lines: no other line between them. Each
+// line defines a constant such as kBindingCamera (shared/bindings.h).
 //
-// The packed scene's are texel buffers of 16-byte rows (the fastest fetch on llvmpipe, measured).
-// SCENE_ARRAY is an array of structs: identifier, struct, member of GpuScene, and name for people.
-// From its line come the buffer and the function loadX of struct X (buffers/packed_scene.glsl), the
-// upload (host/render/scene_buffers.cpp) and a test (tests/gpu/layout_test.cpp). SCENE_ROWS is of
-// no struct.
+// The bindings of the packed scene are texel buffers of 16-byte rows (the fastest fetch on
+// llvmpipe, measured). SCENE_ARRAY is an array of structs: identifier, struct, member of GpuScene,
+// display name. Its line also defines the buffer and the function loadX of struct X
+// (buffers/packed_scene.glsl), the upload (host/render/scene_buffers.cpp) and a test
+// (tests/gpu/layout_test.cpp). SCENE_ROWS is an array of rows without a struct.
 BEGIN_BINDINGS
 SCENE_ARRAY(Nodes, BvhNode, nodes, "BVH nodes")
 SCENE_ARRAY(Triangles, Triangle, triangles, "triangles")

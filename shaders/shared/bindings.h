@@ -13,7 +13,7 @@ CALOTYPE_BEGIN_SHARED
 #define END_BINDINGS CALOTYPE_CONSTANT uint kBindingCount = __LINE__ - kBindingsBegin;
 #include "shared/binding_table.h"
 
-// A line between two rows, or a row of two lines, would be numbered differently in C++ and in GLSL.
+// With a line between two rows, or a row of two lines, C++ and GLSL would number rows differently.
 #ifdef __cplusplus
 #define BEGIN_BINDINGS static_assert(kBindingCount == 0
 #define SCENE_ARRAY(id, type, member, people) BINDING(id)

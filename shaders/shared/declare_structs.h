@@ -1,10 +1,10 @@
-// Included before a table of structs, so that the table declares them. A table names each field of
+// Include this before a table of structs: then the table declares them. A table names each field of
 // a struct once:
 //     STRUCT(Name)
 //     ROW(vec3, position, xyz)  the first field of a row of 16 bytes
 //     FIELD(float, error, w)    a field of the same row: its type, name and place in the row
 //     END(Name)
-// Full rows make C++, std140, std430 and scalar layouts agree. To read a table in another way,
+// Full rows make the C++, std140, std430 and scalar layouts equal. To read a table in another way,
 // define STRUCT, ROW, FIELD and END before it. The table undefines them at its end.
 //
 // No include guard: each table needs this file again.

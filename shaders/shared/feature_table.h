@@ -1,8 +1,8 @@
-// The features of a scene that a kernel is specialised for, one a line: identifier, and name for
-// people. From a line come kFeatureTriangles (shared/specialization.h), hasTriangles
+// The features of a scene that a kernel is specialised for. Each line is one: identifier and
+// display name. Each line defines kFeatureTriangles (shared/specialization.h), hasTriangles
 // (config/features.glsl), the name (host/pack/scene_features.cpp) and a test (kTrianglesCase,
 // tests/support/feature_cases.cpp). The feature's number is the line's distance from the first, so
-// there is no line between them.
+// there must be no other line between them.
 BEGIN_FEATURES
 FEATURE(Triangles, "triangles")
 FEATURE(SmoothNormals, "smooth normals")
@@ -10,7 +10,7 @@ FEATURE(Spheres, "spheres") // these four are in the order of Quadric::kind
 FEATURE(Cylinders, "cylinders")
 FEATURE(Cones, "cones")
 FEATURE(Disks, "disks")
-FEATURE(ManyQuadrics, "many quadrics") // too many for rays to wait with them
+FEATURE(ManyQuadrics, "many quadrics") // too many for rays to wait before quadrics
 FEATURE(TriangleLights, "triangle lights")
 FEATURE(SphereLights, "sphere lights") // these four are in the order of Quadric::kind
 FEATURE(CylinderLights, "cylinder lights")
@@ -21,7 +21,7 @@ FEATURE(LightAlpha, "lights with alpha")
 FEATURE(Background, "a background")
 FEATURE(Diffuse, "diffuse")
 FEATURE(Ggx, "GGX")
-FEATURE(Mirrors, "mirrors") // GGX of (almost) no roughness
+FEATURE(Mirrors, "mirrors") // GGX of almost no roughness
 FEATURE(BlinnPhong, "Blinn-Phong")
 FEATURE(Dielectrics, "dielectrics")
 FEATURE(ColorTextures, "color textures")
@@ -32,7 +32,7 @@ FEATURE(Alpha, "alpha")
 FEATURE(ByteTexels, "8-bit images")
 FEATURE(FloatTexels, "float images")
 FEATURE(Checkers, "checkers")
-FEATURE(Filter, "a film filter") // any but the box
+FEATURE(Filter, "a film filter") // any except the box
 FEATURE(Lens, "a lens")
 FEATURE(Orthographic, "an orthographic camera")
 END_FEATURES

@@ -8,17 +8,17 @@
 #include <cmath>
 #endif
 
-// One row for each layer, in the order of --help. The three kinds of rows differ in where their
-// values come from:
+// One row for each layer, in the order of --help. There are three kinds of rows, by the source of
+// the values:
 //
 // FIRST_HIT(name, type, nothing, channels, help): from the first surface on the ray through the
-//     middle of the pixel. shaders/path/first_hit.glsl and host/reference set the field `name` of a
-//     FirstHit. `nothing` is its value in C++ where the pixel shows no surface.
+// middle of the pixel. shaders/path/first_hit.glsl and host/reference set the field `name` of a
+// FirstHit. `nothing` is its value in C++ if the pixel shows no surface.
 // AVERAGED(name, type, channels, help): the mean over the samples of the film. No layer is one yet.
 // REPLICAS(name, type, channels, help): from the spread of the film's replicas: PixelError.
 //
 // `type` is float, uint, vec2 or vec3. `channels` are the names of its components in an EXR file,
-// where they follow the name of the layer and a dot.
+// after the name of the layer and a dot.
 #define CALOTYPE_LAYERS(FIRST_HIT, AVERAGED, REPLICAS)                                             \
     FIRST_HIT(albedo, vec3, 0.0f, "R,G,B",                                                         \
               "reflectance, linear Rec. 709: F0 of a metal, 1 of a dielectric, else the color")    \
@@ -31,11 +31,11 @@
     REPLICAS(error, vec2, "SE,CI95",                                                               \
              "standard error of the luminance, and half of its 95 % interval, W/(m^2 sr)")
 
-/// The rows of one kind alone.
+/// Only the rows of one kind.
 #define CALOTYPE_NO_ROW(name, type, channels, help)
 #define CALOTYPE_FIRST_HIT_LAYERS(ROW) CALOTYPE_LAYERS(ROW, CALOTYPE_NO_ROW, CALOTYPE_NO_ROW)
 
-/// Components of a type, each of 32 bits.
+/// 32-bit components of a type.
 #define CALOTYPE_WORDS_OF_float 1u
 #define CALOTYPE_WORDS_OF_uint 1u
 #define CALOTYPE_WORDS_OF_vec2 2u
@@ -49,19 +49,19 @@ CALOTYPE_BEGIN_SHARED
 #define CALOTYPE_FIELD(name, type, nothing, channels, help) type name;
 #endif
 
-/// The surface that a pixel shows: the first on the ray through the middle of the pixel and of the
-/// lens, whatever the film's filter. It passes through lights that are hidden from the camera, and
+/// The surface that a pixel shows: the first on the ray through the centres of the pixel and of the
+/// lens, for every film filter. The ray passes through lights that are hidden from the camera, and
 /// through points whose alpha is below 1/2.
 struct FirstHit {
     CALOTYPE_FIRST_HIT_LAYERS(CALOTYPE_FIELD)
 };
 #undef CALOTYPE_FIELD
 
-/// What the kernel of first hits returns for a pixel. A storage buffer holds its fields as
+/// The result of the first-hit kernel for a pixel. A storage buffer holds its fields as
 /// kFirstHitWords words of 32 bits, one after the other, without padding.
 struct FirstHitRecord {
     FirstHit hit; ///< its position is relative to the packed scene's origin
-    uint isCut;   ///< 1 where the ray could have passed through what it met, but for its limits
+    uint isCut;   ///< 1 if a limit ended the search at a surface that the ray would pass through
 };
 
 #define CALOTYPE_ADD_WORDS(name, type, nothing, channels, help) +CALOTYPE_WORDS_OF_##type

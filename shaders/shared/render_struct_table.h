@@ -1,8 +1,8 @@
-// What the host tells a dispatch of a rendering kernel, and what it gets back, as
-// shared/declare_structs.h says.
+// The inputs of a dispatch of a rendering kernel, and its results, in the form of
+// shared/declare_structs.h.
 
-// Push constants. A dispatch renders `sampleEnd` samples of the block in every pixel of its tiles,
-// less those that the storage image already holds.
+// Push constants. A dispatch adds samples to every pixel of its tiles until the pixel has
+// `sampleEnd` samples of the block; the storage image holds the samples so far.
 STRUCT(RenderParameters)
 ROW(uvec2, imageSize, xy)    ///< of the whole film, pixels
 FIELD(uvec2, cropOrigin, zw) ///< first pixel of the storage image on the film
@@ -16,7 +16,7 @@ FIELD(uint, lightCount, w)
 ROW(uint, iterationBudget, x)   ///< loop iterations after which a subgroup parks its paths
 FIELD(float, indirectClamp, y)  ///< most of one contribution of light scattered twice or more,
                                 ///< W/(m^2 sr)
-FIELD(uint, backgroundLight, z) ///< the light that rays find which meet no surface, or kNone
+FIELD(uint, backgroundLight, z) ///< the light of rays that hit no surface, or kNone
 FIELD(uint, pad0, w)
 END(RenderParameters)
 
@@ -24,8 +24,8 @@ END(RenderParameters)
 STRUCT(RenderCounters)
 ROW(uint, rays, x)
 FIELD(uint, paths, y)
-FIELD(uint, nonFiniteSamples, z) ///< samples that came out NaN or infinite and were added as zero
-FIELD(uint, cutPaths, w)         ///< paths ended by a ray that takes a whole budget: too dark
+FIELD(uint, nonFiniteSamples, z) ///< samples that are NaN or infinite, added as zero
+FIELD(uint, cutPaths, w)         ///< paths ended because one ray takes a whole budget: too dark
 ROW(uint, unfinishedPixels, x)   ///< pixels parked before `sampleEnd`, for the next dispatch
 FIELD(uint, pad0, y)
 FIELD(uint, pad1, z)
@@ -38,7 +38,7 @@ ROW(uvec2, imageSize, xy)    ///< of the whole film, pixels
 FIELD(uvec2, cropOrigin, zw) ///< first pixel of the picture on the film
 ROW(uvec2, cropSize, xy)     ///< of the picture, pixels
 FIELD(uint, firstTile, z)
-FIELD(uint, iterationsBeforeCut, w) ///< loop iterations after which a search ends where it is
+FIELD(uint, iterationsBeforeCut, w) ///< loop iterations after which a search ends as it is
 END(FirstHitParameters)
 
 #undef STRUCT

@@ -1,10 +1,10 @@
-// The structs of the packed scene, as shared/declare_structs.h says. Lengths are metres, in a frame
-// whose origin the host moved near the camera.
+// The structs of the packed scene, in the form of shared/declare_structs.h. Lengths are metres, in
+// a frame whose origin the host moved near the camera.
 
-// Up to eight children, whose boxes lie on a grid over the node's own: cell boundaries are at
-// origin + k * size, k from 0 to 255, size a power of two. Triangles of leaves follow each other
-// from `firstTriangle` on and quadrics from `firstQuadric` on, each in the order of the children.
-// Of each child and side there is a byte, the first child's lowest.
+// A node has up to eight children. Their boxes are on a grid over the node's own box: cell
+// boundaries are at origin + k * size, k from 0 to 255, size a power of two. Triangles of leaves
+// are consecutive from `firstTriangle` on and quadrics from `firstQuadric` on, each in the order of
+// the children. Each side of the boxes has a byte per child, the first child's lowest.
 STRUCT(BvhNode)
 ROW(vec3, origin, xyz)
 FIELD(uint, nodesAndExponents, w) ///< bytes: exponents of size.xyz as a float's, and a bit for each
@@ -22,11 +22,11 @@ ROW(uvec2, lowerZ, xy)
 FIELD(uvec2, upperZ, zw)
 END(BvhNode)
 
-// The corners are bit-identical where triangles share them: watertightness rests on it. One cache
-// line of most processors, whose first three rows are what a ray needs.
+// Triangles that share a corner have bit-identical corners: watertightness depends on it. A
+// triangle is one cache line of most processors; a ray needs only its first three rows.
 STRUCT(Triangle)
 ROW(vec3, v0, xyz)
-FIELD(float, normalX, w) ///< of the front's unit normal, each component to the nearest float
+FIELD(float, normalX, w) ///< unit normal of the front, each component rounded to the nearest float
 ROW(vec3, v1, xyz)
 FIELD(float, normalY, w)
 ROW(vec3, v2, xyz)
@@ -37,7 +37,7 @@ FIELD(uint, id, z)     ///< number of the primitive in the order of the scene fi
 FIELD(uint, pad0, w)
 END(Triangle)
 
-// Shading normals at the corners of the triangle of the same index; zero where it has none.
+// Shading normals at the corners of the triangle of the same index; zero if it has none.
 STRUCT(TriangleNormals)
 ROW(vec3, n0, xyz)
 FIELD(uint, pad0, w)
@@ -57,7 +57,7 @@ FIELD(uint, pad1, w)
 END(TriangleUvs)
 
 // Sphere, cylinder, cone or disk in a local frame with axis y. `extent` is the height of a cylinder
-// or the signed height of a cone; `radius` is the cone's at its base.
+// or the signed height of a cone; `radius` of a cone is that of its base.
 STRUCT(Quadric)
 ROW(vec3, center, xyz) ///< of a sphere, cylinder or disk; a cone's apex
 FIELD(float, radius, w)
@@ -71,11 +71,11 @@ ROW(uint, material, x) ///< index, with kTransparentBit
 FIELD(uint, light, y)
 FIELD(uint, id, z)
 FIELD(uint, pad0, w)
-ROW(vec3, centerRest, xyz) ///< of a sphere: what rounding took from its centre
+ROW(vec3, centerRest, xyz) ///< of a sphere: the rounding error of its centre
 FIELD(uint, pad1, w)
 END(Quadric)
 
-// A texture, where there is one, multiplies the number beside it.
+// A texture, if there is one, multiplies the number of the same name.
 STRUCT(Material)
 ROW(vec3, color, xyz) ///< reflectance, F0 or tint
 FIELD(uint, colorTexture, w)
@@ -83,7 +83,7 @@ ROW(float, roughness, x)
 FIELD(uint, roughnessTexture, y)
 FIELD(float, specular, z) ///< F0 of a nonmetal, ks of Blinn-Phong
 FIELD(uint, specularTexture, w)
-ROW(uint, lobes, x) ///< kLobe... and how its numbers are read
+ROW(uint, lobes, x) ///< kLobe... and flags for its numbers
 FIELD(uint, normalMap, y)
 FIELD(uint, alphaTexture, z)
 FIELD(float, opacity, w)
@@ -107,30 +107,30 @@ ROW(vec3, color1, xyz)
 FIELD(uint, pad1, w)
 END(Texture)
 
-// An emitting primitive or the background, and its column of the alias table by which lights are
-// chosen.
+// A light: an emitting primitive or the background. It includes a column of the alias table that
+// chooses lights.
 STRUCT(Light)
 ROW(vec3, radiance, xyz)
-FIELD(uint, primitive, w)             ///< kNone of a light that is infinitely far away
-ROW(float, area, x)                   ///< m^2; 0 of a light that is infinitely far away
+FIELD(uint, primitive, w)             ///< kNone for a light that is infinitely far away
+ROW(float, area, x)                   ///< m^2; 0 for a light that is infinitely far away
 FIELD(float, selectionProbability, y) ///< probability with which this light is chosen
 FIELD(uint, firstNumber, z) ///< of the random numbers that fall into the column, in units of 2^-24
-FIELD(uint, ownNumbers, w)  ///< those from there on that choose this light
-ROW(uint, aliasNumbers, x)  ///< those after them, which choose the light `alias`
+FIELD(uint, ownNumbers, w)  ///< those of them that choose this light; they come first
+ROW(uint, aliasNumbers, x)  ///< those after them; they choose the light `alias`
 FIELD(uint, alias, y)
 FIELD(uint, flags, z) ///< kLightEmitsFromBack, kLightHiddenFromCamera
 FIELD(uint, kind, w)  ///< kLightTriangle...
 END(Light)
 
-// Perspective: `right` and `up` reach from the centre of the image plane, one unit along `forward`,
-// to its edges. Orthographic: they reach from `position` to the edges of the view.
+// Perspective: `right` and `up` go from the centre of the image plane, one unit along `forward`, to
+// its edges. Orthographic: they go from `position` to the edges of the view.
 STRUCT(Camera)
 ROW(vec3, position, xyz)
 FIELD(float, focusDistance, w) ///< along forward, metres
 ROW(vec3, right, xyz)
 FIELD(uint, isOrthographic, w)
 ROW(vec3, up, xyz)
-FIELD(uint, filterIsBox, w) ///< of the film; else it is the table's
+FIELD(uint, filterIsBox, w) ///< of the film; 0: the filter of the table
 ROW(vec3, forward, xyz)
 FIELD(uint, pad0, w)
 ROW(vec3, lensRight, xyz) ///< the lens's radius along right and up; zero for a pinhole

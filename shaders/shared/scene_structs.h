@@ -9,7 +9,7 @@ CALOTYPE_BEGIN_SHARED
 /// "None" in every index of the structs.
 CALOTYPE_CONSTANT uint kNone = 0xFFFFFFFFu;
 
-/// A primitive is named by its index among the triangles, or, with this bit, among the quadrics.
+/// A primitive's name is its index among the triangles or, with this bit, among the quadrics.
 CALOTYPE_CONSTANT uint kQuadricBit = 0x80000000u;
 
 /// In a primitive's `material`: light may pass through it.
@@ -21,26 +21,26 @@ CALOTYPE_CONSTANT uint kCylinder = 1;
 CALOTYPE_CONSTANT uint kCone = 2;
 CALOTYPE_CONSTANT uint kDisk = 3;
 
-// Material::lobes: those that a material is made of. At most one of GGX and Blinn-Phong; a
-// dielectric has none.
+// Material::lobes: the lobes of the material. At most one of GGX and Blinn-Phong; a dielectric has
+// none of them.
 CALOTYPE_CONSTANT uint kLobeDiffuse = 1u;
 CALOTYPE_CONSTANT uint kLobeGgx = 2u;
 CALOTYPE_CONSTANT uint kLobeBlinnPhong = 4u;
 CALOTYPE_CONSTANT uint kLobeDielectric = 8u;
-// Material::lobes: how the material's numbers are read.
-CALOTYPE_CONSTANT uint kColorIsF0 = 16u;      ///< GGX of a metal, else F0 is `specular`
+// Material::lobes: flags for the material's numbers.
+CALOTYPE_CONSTANT uint kColorIsF0 = 16u;      ///< GGX of a metal; else F0 is `specular`
 CALOTYPE_CONSTANT uint kSmithMasking = 32u;   ///< GGX
 CALOTYPE_CONSTANT uint kNormalizedLobe = 64u; ///< Blinn-Phong
 
 // Texture::flags.
 CALOTYPE_CONSTANT uint kTextureIsChecker = 1u;
-CALOTYPE_CONSTANT uint kTextureHoldsFloats = 2u; ///< one texel a row, else four of 8-bit RGBA
+CALOTYPE_CONSTANT uint kTextureHoldsFloats = 2u; ///< one texel a row; else four of 8-bit RGBA
 CALOTYPE_CONSTANT uint kTextureIsEncoded = 4u;   ///< colours are sRGB-encoded
 CALOTYPE_CONSTANT uint kTextureIsNearest = 8u;
 CALOTYPE_CONSTANT uint kTextureClamps = 16u;
 CALOTYPE_CONSTANT uint kTextureMirrors = 32u;
 
-// Light::kind. Those of quadrics are in the order of Quadric::kind.
+// Light::kind. The kinds of quadrics are in the order of Quadric::kind.
 CALOTYPE_CONSTANT uint kLightTriangle = 0;
 CALOTYPE_CONSTANT uint kLightSphere = 1;
 CALOTYPE_CONSTANT uint kLightCylinder = 2;

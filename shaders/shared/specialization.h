@@ -17,7 +17,7 @@ CALOTYPE_BEGIN_SHARED
 #define END_SETTINGS CALOTYPE_CONSTANT uint kConstantCount = __LINE__ - kSettingsBegin;
 #include "shared/setting_table.h"
 
-// A line between two rows, or a row of two lines, would be numbered differently in C++ and in GLSL.
+// With a line between two rows, or a row of two lines, C++ and GLSL would number rows differently.
 #ifdef __cplusplus
 #define BEGIN_FEATURES static_assert(kFeatureCount == 0
 #define FEATURE(id, people) +1

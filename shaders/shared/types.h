@@ -1,4 +1,4 @@
-// The types in which host and kernels share structs: one spelling for C++ and GLSL.
+// The types of shared structs, with the same names in C++ and GLSL.
 #ifndef CALOTYPE_SHARED_TYPES_H
 #define CALOTYPE_SHARED_TYPES_H
 

@@ -72,7 +72,7 @@ TEST_F(ReferenceDeviceTest, IsForRenderOnly) {
             arguments.push_back("scenes/cornell-box.json");
         const ProgramResult result = runProgram(arguments);
         EXPECT_EQ(result.exitCode, 2) << command;
-        EXPECT_NE(result.errors.find("only render and study know it"), std::string::npos)
+        EXPECT_NE(result.errors.find("only render and study support it"), std::string::npos)
             << result.errors;
     }
 }

@@ -113,9 +113,10 @@ TEST_F(PrecisionWarningsTest, OfWhatIsSmallForItsDistance) {
     };
     const auto warnings = ofPrecision(files_.load(cylinderAt(1e5, 0.1, 3.0)).warnings);
     ASSERT_EQ(warnings.size(), 1u);
-    EXPECT_NE(warnings[0].find("/shapes/0: is only 0.2 m wide, 1e+05 m from the camera or the "
-                               "scene's near side, where single precision knows places to 0.012 m"),
-              std::string::npos)
+    EXPECT_NE(
+        warnings[0].find("/shapes/0: is only 0.2 m wide, 1e+05 m from the camera or the "
+                         "scene's near side, where single precision resolves positions to 0.012 m"),
+        std::string::npos)
         << warnings[0];
     EXPECT_EQ(ofPrecision(files_.load(cylinderAt(1e5, 0.75, 9.0)).warnings).size(), 1u);
     EXPECT_TRUE(ofPrecision(files_.load(cylinderAt(1e5, 0.78, 9.0)).warnings).empty());

@@ -15,7 +15,7 @@ namespace {
 /// In the order of Projection.
 const std::array<std::string, 2> kProjections = {"perspective", "orthographic"};
 constexpr double kDefaultFov = 40.0;
-/// Sine of the angle between `up` and the view below which they count as parallel.
+/// Below this sine of the angle between them, `up` and the view count as parallel.
 constexpr double kParallelSine = 1e-6;
 /// A camera's matrix may differ from a rigid one by this much in scale.
 constexpr double kRigidTolerance = 1e-4;
@@ -44,7 +44,7 @@ void placeByTarget(Camera& camera, const JsonObject& object) {
             target->fail("is the camera's position too, so that it looks nowhere");
         camera.forward = view / distance;
         if (!std::isfinite(distance))
-            target->fail("is too far from the camera's position to tell the direction");
+            target->fail("is too far from the camera's position to compute the direction");
     }
     const auto upValue = object.optional("up");
     const glm::dvec3 up = upValue ? upValue->direction() : glm::dvec3(0.0, 1.0, 0.0);
@@ -59,7 +59,7 @@ bool isOrthographic(const JsonObject& object) {
     return object.choice("type", kProjections, 0) == static_cast<size_t>(Projection::Orthographic);
 }
 
-/// An orthographic camera has a "height", one in perspective a "fov".
+/// An orthographic camera has a "height", a perspective camera a "fov".
 void checkView(const JsonObject& object) {
     if (isOrthographic(object)) {
         object.required("height");
@@ -78,7 +78,7 @@ constexpr const char* kViewSchema = R"({
     "then": {"required": ["height"], "not": {"required": ["fov"]}},
     "else": {"not": {"required": ["height"]}}})";
 
-/// A lens needs to know its plane in focus.
+/// A lens needs a focus distance.
 void checkFocus(const JsonObject& object) {
     if (object.number("lens_radius", 0.0) > 0.0 && !object.has("focus_distance") &&
         !object.has("target")) {
@@ -133,7 +133,7 @@ const JsonObjectType& cameraObject() {
     return type;
 }
 
-/// The opening of the view: an angle in perspective, else a height.
+/// Reads the opening of the view: an angle for perspective, else a height.
 void readView(const JsonObject& object, Camera& camera) {
     if (isOrthographic(object)) {
         camera.projection = Projection::Orthographic;
@@ -143,7 +143,7 @@ void readView(const JsonObject& object, Camera& camera) {
     }
 }
 
-/// A thin lens; without a distance it is in focus at the target.
+/// Reads a thin lens; without a focus distance it focuses on the target.
 void readLens(const JsonObject& object, Camera& camera) {
     camera.lensRadius = object.number("lens_radius", camera.lensRadius);
     if (const auto distance = object.optional("focus_distance"))

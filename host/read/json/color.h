@@ -9,11 +9,11 @@
 
 namespace calotype {
 
-/// A colour as linear Rec. 709: [r, g, b], one number for grey, or "#rrggbb" (sRGB-encoded).
-/// Throws SceneError unless each channel lies in `channel`.
+/// A colour as linear Rec. 709: [r, g, b], one number for grey, or "#rrggbb" (sRGB-encoded). Throws
+/// SceneError unless each channel is in `channel`.
 glm::dvec3 readColor(const JsonValue& value, const Range& channel);
 
-/// False of texts that start with '#', which are colours.
+/// False for texts that start with '#', which are colours.
 bool canBeTextureName(const std::string& text);
 
 } // namespace calotype

@@ -29,7 +29,7 @@ std::string lineAndColumn(std::string_view text, size_t offset) {
     return std::to_string(line) + ":" + std::to_string(column);
 }
 
-/// nlohmann's sentence without its own prefix and with what it read last shortened.
+/// nlohmann's message without its prefix; the part of the text that it quotes is shortened.
 std::string syntaxMessage(std::string message) {
     const size_t prefixEnd = message.find("syntax error");
     if (prefixEnd != std::string::npos)
@@ -45,7 +45,7 @@ std::string syntaxMessage(std::string message) {
     return message;
 }
 
-/// Builds the document from the parser's events and refuses what nlohmann's own builder lets pass.
+/// Builds the document from the parser's events; rejects what nlohmann's own builder accepts.
 class DocumentBuilder final : public nlohmann::json_sax<json> {
 public:
     DocumentBuilder(std::string_view text, const std::string& name) : text_(text), name_(name) {}
@@ -87,7 +87,7 @@ public:
     }
 
 private:
-    /// A container that is still open; `key` is the one whose value comes next (objects only).
+    /// An open container; `key` is that of the next value (objects only).
     struct Level {
         json* container;
         std::string key;
@@ -128,7 +128,7 @@ private:
         return true;
     }
 
-    /// Pointer to the container at `depth`, counted from the root's 0.
+    /// Pointer to the container at `depth`; that of the root is 0.
     std::string pointer(size_t depth) const {
         std::string result;
         for (size_t i = 0; i < depth && i < levels_.size(); ++i) {

@@ -11,15 +11,15 @@
 
 namespace calotype {
 
-/// What the readers of a scene file's parts share.
+/// Data that the readers of a scene file's parts share.
 struct JsonContext : ReadContext {
     JsonContext(const LoadOptions& loadOptions, const std::string& path)
         : ReadContext(loadOptions, path), directory(std::filesystem::path(path).parent_path()) {}
 
-    std::filesystem::path directory;             ///< that file names in the scene are relative to
-    std::vector<std::string> textureNames = {};  ///< of the first of Scene::textures
-    std::vector<std::string> materialNames = {}; ///< of the first of Scene::materials
-    /// Of the first of Scene::materials, by their index; the others have none.
+    std::filesystem::path directory;             ///< base of the relative file names in the scene
+    std::vector<std::string> textureNames = {};  ///< names of the first elements of Scene::textures
+    std::vector<std::string> materialNames = {}; ///< those of Scene::materials
+    /// For the first elements of Scene::materials, by index; the others have none.
     std::vector<std::optional<Displacement>> displacements = {};
     ObjCache objs = {};
 };

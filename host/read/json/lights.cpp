@@ -40,7 +40,7 @@ const JsonObjectTypes& lightTypes() {
     return types;
 }
 
-/// One side's, in square metres.
+/// Area of one side, in square metres.
 double area(const Disk& disk) { return std::numbers::pi * disk.radius * disk.radius; }
 
 double area(const Mesh& mesh) {
@@ -52,7 +52,7 @@ double area(const Mesh& mesh) {
     return sum;
 }
 
-/// From "radiance", or from "power" spread evenly over all sides and directions (Lambert's law).
+/// From "radiance", or from "power", emitted evenly from all sides (Lambert's law).
 glm::dvec3 readEmission(const JsonObject& object, double shiningArea) {
     if (const auto radiance = object.optional("radiance"))
         return readColor(*radiance, ranges::kRadiance);

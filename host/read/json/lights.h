@@ -10,8 +10,8 @@ namespace calotype {
 /// An element of the scene file's "lights".
 JsonType lightType();
 
-/// Element `index` of the scene file's "lights": a shape with a black, emitting material of its
-/// own, which is added to Scene::materials as "light INDEX".
+/// Element `index` of the scene file's "lights": a shape with its own black, emitting material,
+/// which is added to Scene::materials as "light INDEX".
 Shape readLight(const JsonValue& value, size_t index, JsonContext& context);
 
 } // namespace calotype

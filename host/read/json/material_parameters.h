@@ -9,7 +9,7 @@ namespace calotype {
 /// The key of a material's parameter.
 JsonKey keyOf(const MaterialParameter& parameter);
 
-/// Sets what the parameter says of `material`, from `object` or to its default.
+/// Sets the parameter of `material` from `object`, or to its default.
 void readParameter(const MaterialParameter& parameter, const JsonObject& object,
                    const JsonContext& context, Material& material);
 

@@ -17,7 +17,7 @@
 namespace calotype {
 namespace {
 
-/// The parameters of one kind of material, with those that all opaque ones have.
+/// The parameters of one kind of material, including those of all opaque materials.
 std::vector<MaterialParameter> parametersOf(const MaterialKind& kind) {
     std::vector<MaterialParameter> parameters = kind.parameters;
     if (kind.isOpaque) {
@@ -59,7 +59,7 @@ const JsonObjectTypes& materialTypes() {
     return types;
 }
 
-/// The colour's texture where it is an image that is transparent somewhere.
+/// The texture of the colour, if it is an image with transparent texels.
 uint32_t alphaTextureOf(const Material& material, const Scene& scene) {
     if (material.colorTexture == Material::kNoTexture)
         return Material::kNoTexture;

@@ -8,7 +8,7 @@ namespace calotype {
 /// The value of the scene file's "materials".
 JsonType materialsType();
 
-/// The scene file's "materials" into Scene::materials, in the order of their names, and their
+/// Reads the scene file's "materials" into Scene::materials, in the order of their names, and their
 /// displacements into JsonContext::displacements.
 void readMaterials(const JsonValue& value, JsonContext& context);
 

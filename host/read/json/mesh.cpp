@@ -17,7 +17,7 @@ namespace {
 /// In the order of NormalMode.
 const std::array<std::string, 3> kNormalModes = {"auto", "smooth", "flat"};
 
-/// By material: the mesh's own for all, or else the materials' own.
+/// By material: that of the mesh for all materials, or else that of each material.
 std::vector<std::optional<Displacement>> readDisplacements(const JsonObject& mesh,
                                                            const JsonContext& context) {
     if (const auto own = mesh.optional("displacement"))

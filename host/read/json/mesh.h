@@ -10,11 +10,11 @@ namespace calotype {
 /// The keys of a "mesh".
 std::vector<JsonKey> meshKeys();
 
-/// "material" stands in place of "materials".
+/// "material" excludes "materials".
 JsonRule meshMaterialRule();
 
-/// A "mesh": an OBJ file, displaced and in world space, its faces' materials resolved to
-/// Scene::materials. Warns where textures are read but texture coordinates missing.
+/// A "mesh": an OBJ file, displaced, in world space, with indices of Scene::materials for its
+/// faces. Warns if textures are used but texture coordinates are missing.
 Mesh readMesh(const JsonObject& object, JsonContext& context);
 
 } // namespace calotype

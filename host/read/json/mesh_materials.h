@@ -9,9 +9,9 @@
 
 namespace calotype {
 
-/// The Scene::materials index for each of the OBJ's materials, and, last, for faces without
-/// one: by the mesh's "material", else its "materials", else the OBJ's MTL files (read from
-/// beside `objPath`). Throws SceneError for keys that fit no face, for faces that no key fits, and
+/// The index in Scene::materials for each of the OBJ's materials and, last, for faces without a
+/// material: from the mesh's "material", else its "materials", else the OBJ's MTL files (relative
+/// to `objPath`). Throws SceneError for keys that match no face, for faces that no key matches, and
 /// for materials that no MTL file defines.
 std::vector<uint32_t> resolveMeshMaterials(const JsonObject& mesh, const ObjFile& obj,
                                            const std::string& objPath, JsonContext& context);

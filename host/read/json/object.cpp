@@ -11,7 +11,7 @@
 namespace calotype {
 namespace {
 
-/// Of the keys that the schema has.
+/// The names of the keys that the schema has.
 std::vector<std::string> namesOf(const std::vector<JsonKey>& keys) {
     std::vector<std::string> names;
     for (const JsonKey& key : keys)

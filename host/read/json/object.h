@@ -16,41 +16,41 @@ namespace calotype {
 
 class JsonObject;
 
-/// One key of an object of a scene file: what the reader accepts and what the schema says.
+/// One key of an object of a scene file: what the reader accepts and the schema describes.
 struct JsonKey {
     JsonKey(std::string keyName, JsonType keyType, std::string keyDescription)
         : name(std::move(keyName)), type(std::move(keyType)),
           description(std::move(keyDescription)) {}
 
     JsonKey required() &&;
-    /// "metres"
+    /// Sets the unit, such as "metres".
     JsonKey in(const std::string& unitName) &&;
-    /// The value that the reader takes where the key is absent.
+    /// Sets the default, used if the key is absent.
     JsonKey orElse(double number) &&;
     JsonKey orElse(bool value) &&;
-    /// The value as JSON, such as "[0, 1, 0]" or "\"box\"".
+    /// Sets the default as JSON, such as "[0, 1, 0]" or "\"box\"".
     JsonKey orElseJson(const std::string& json) &&;
 
     std::string name;
     JsonType type;
     std::string description;
     std::string unit;
-    std::string otherwise; ///< as JSON; empty where there is none
+    std::string otherwise; ///< as JSON; empty if there is none
     bool isRequired = false;
 };
 
-/// A key that is refused with a message of its own, and that the schema does not have.
+/// A key that the schema does not have, and that is rejected with its own message.
 JsonKey refusedKey(const std::string& name, const std::string& message);
 
 /// A rule about more than one key.
 struct JsonRule {
     std::function<void(const JsonObject&)> check; ///< throws SceneError
-    std::string schema;                           ///< the same as JSON Schema
+    std::string schema;                           ///< the same rule as JSON Schema
 };
 
-/// At most one of two keys.
+/// At most one of two keys is allowed.
 JsonRule exclude(const std::string& a, const std::string& b);
-/// One of two keys.
+/// Exactly one of two keys is required.
 JsonRule exactlyOne(const std::string& a, const std::string& b);
 
 /// The keys that an object may have.
@@ -58,31 +58,31 @@ struct JsonObjectType {
     std::vector<JsonKey> keys;
     std::vector<JsonRule> rules = {};
     std::string description = {};
-    std::string name = {}; ///< the value of "type", where that chooses among several
+    std::string name = {}; ///< the value of "type", if that chooses among several types
 
-    /// As a value of a key. The schema defines it under `definition`.
+    /// The type as value of a key. The schema defines it under `definition`.
     JsonType asType(const std::string& definition) const;
     SchemaJson schema(SchemaJson& definitions) const;
 };
 
-/// Objects of which the key "type" chooses one.
+/// Types of objects; the key "type" chooses one of them.
 using JsonObjectTypes = std::vector<JsonObjectType>;
 
 /// An object type that "type": "`name`" chooses.
 JsonObjectType chosenType(const std::string& name, const std::string& description,
                           std::vector<JsonKey> keys, std::vector<JsonRule> rules = {});
 
-/// Any of `types` as a value of a key.
+/// Any of `types`, as value of a key.
 JsonType anyOf(const JsonObjectTypes& types, const std::string& definition);
 
-/// The index in `types` of what "type" names.
+/// The index in `types` of the type that "type" names.
 size_t readType(const JsonValue& value, const JsonObjectTypes& types);
 
-/// A JSON object of a known type. The constructor throws SceneError for unknown keys, and names the
-/// nearest known one, for missing ones, for broken rules and for values that are not of their type.
+/// A JSON object of a known type. The constructor throws SceneError for unknown keys, with the
+/// nearest known one, for missing keys, for broken rules and for values of a wrong type.
 class JsonObject {
 public:
-    /// Refers to `type`, which must outlive it.
+    /// `type` must outlive this object.
     JsonObject(const JsonValue& value, const JsonObjectType& type);
 
     const JsonValue& value() const { return value_; }

@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-/// What comes from a command line may be any bytes.
+/// The command line may contain any bytes.
 bool isUtf8(const std::string& text) {
     try {
         json(text).dump();
@@ -26,7 +26,7 @@ bool isUtf8(const std::string& text) {
     }
 }
 
-/// False also for indices that nlohmann refuses to parse.
+/// False also for indices that nlohmann cannot parse.
 bool containsPart(const json& document, const json::json_pointer& pointer) {
     try {
         return document.contains(pointer);

@@ -6,8 +6,8 @@
 
 namespace calotype {
 
-/// Sets what the override's pointer names, in place or anew; "-" appends to an array. Throws
-/// SceneError at "--set POINTER" where the pointer is malformed or what contains it is missing.
+/// Sets the value at the override's pointer, which may be new; "-" appends to an array. Throws
+/// SceneError at "--set POINTER" if the pointer is malformed or its parent does not exist.
 void applyOverride(nlohmann::json& document, const SceneOverride& override);
 
 } // namespace calotype

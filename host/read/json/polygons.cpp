@@ -12,7 +12,7 @@
 namespace calotype {
 namespace {
 
-/// Of a quad's longest diagonal.
+/// Relative to a quad's longest diagonal.
 constexpr double kPlaneTolerance = 1e-4;
 
 std::vector<glm::dvec3> readVertices(const JsonObject& object, size_t count) {
@@ -22,8 +22,8 @@ std::vector<glm::dvec3> readVertices(const JsonObject& object, size_t count) {
     return vertices;
 }
 
-/// Four points lie at equal distances from the plane through their mean along the cross product
-/// of the diagonals.
+/// The four points have equal distances from the plane through their mean whose normal is the cross
+/// product of the diagonals.
 void checkPlanar(const std::vector<glm::dvec3>& v, const JsonValue& place) {
     const glm::dvec3 diagonal02 = v[2] - v[0];
     const glm::dvec3 diagonal13 = v[3] - v[1];
@@ -64,7 +64,7 @@ Mesh makeMesh(const JsonObject& object, const std::vector<glm::dvec3>& vertices,
     return std::move(mesh);
 }
 
-/// Whose corners' texture coordinates, if there are any, are numbered as the vertices.
+/// Texture coordinates, if there are any, have the same indices as the vertices.
 Mesh::Triangle flatTriangle(uint32_t a, uint32_t b, uint32_t c, uint32_t material, bool hasUvs) {
     Mesh::Triangle triangle{
         {a, b, c}, {Mesh::kNoNormal, Mesh::kNoNormal, Mesh::kNoNormal}, material};

@@ -15,7 +15,7 @@ struct Placement {
     double scale;
 };
 
-/// The shape's own origin at `origin` and +Y along `axis`, then its transform.
+/// The shape's own origin at `origin` and +Y along `axis`, followed by its transform.
 Placement place(const JsonObject& object, const std::string& originKey, const glm::dvec3& axis) {
     const SimilarityTransform outer = readSimilarity(object);
     const glm::dvec3 origin = object.vector(originKey, glm::dvec3(0.0));

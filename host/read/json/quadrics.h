@@ -7,16 +7,16 @@
 
 namespace calotype {
 
-/// The keys of quadrics and disks that give their geometry, without "transform".
+/// The keys of the geometry of quadrics and disks, without "transform".
 std::vector<JsonKey> sphereKeys();
 std::vector<JsonKey> cylinderKeys();
 std::vector<JsonKey> coneKeys();
 std::vector<JsonKey> diskKeys();
 
-/// "axis" stands in place of a transform.
+/// "axis" excludes a transform.
 JsonRule axisRule();
 
-/// The geometry in world space, of objects with those keys and "transform". All throw SceneError.
+/// The geometry in world space, from objects with those keys and "transform". All throw SceneError.
 Sphere readSphere(const JsonObject& object);
 Cylinder readCylinder(const JsonObject& object);
 Cone readCone(const JsonObject& object);

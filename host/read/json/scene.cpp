@@ -79,7 +79,7 @@ SceneAndNotes readJsonScene(const std::string& path, const LoadOptions& options)
     JsonContext context(options, path);
     nlohmann::json hashed = document;
     if (hashed.is_object())
-        hashed.erase("render"); // its settings are compared one by one where scenes are compared
+        hashed.erase("render"); // its settings are compared one by one when films are joined
     context.hash.add(hashed.dump());
     readScene(JsonObject(JsonValue(document, path), sceneObject()), context);
     return std::move(context).finish();

@@ -9,7 +9,7 @@ namespace calotype {
 /// Reads a scene file (scenes/scene.schema.json describes the format).
 SceneAndNotes readJsonScene(const std::string& path, const LoadOptions& options);
 
-/// The JSON Schema (draft 07) of scene files, from the tables that the reader reads by.
+/// The JSON Schema (draft 07) of scene files, from the same tables as the reader.
 std::string sceneSchema();
 
 } // namespace calotype

@@ -6,7 +6,7 @@
 
 namespace calotype {
 
-/// The schema as text: what fits into a line of 100 columns stands on one.
+/// The schema as text: a value is on one line if it fits into 100 columns.
 std::string schemaText(const SchemaJson& schema);
 
 } // namespace calotype

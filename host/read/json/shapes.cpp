@@ -37,7 +37,7 @@ const JsonObjectTypes& shapeTypes() {
     return types;
 }
 
-/// Of a shape that is not a "mesh".
+/// Warns if the material of a shape other than a "mesh" has a displacement.
 void warnOfDisplacement(const Shape& shape, JsonContext& context) {
     if (context.displacements[shape.material]) {
         context.warn(shape.place, "the displacement of the material " +

@@ -8,13 +8,13 @@ namespace calotype {
 /// The value of the scene file's "textures".
 JsonType texturesType();
 
-/// The scene file's "textures" into Scene::textures, in the order of their names.
+/// Reads the scene file's "textures" into Scene::textures, in the order of their names.
 void readTextures(const JsonValue& value, JsonContext& context);
 
 /// The index of the texture that `reference` names. Throws SceneError if there is none.
 uint32_t findTexture(const JsonValue& reference, const JsonContext& context);
 
-/// The same, of one that must be an image; Material::kNoTexture where its file is missing.
+/// The same for an image; Material::kNoTexture if its file is missing.
 uint32_t findImage(const JsonValue& reference, const JsonContext& context);
 
 } // namespace calotype

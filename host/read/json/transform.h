@@ -10,7 +10,7 @@ JsonKey transformKey();
 
 /// worldFromObject of a shape's or light's "transform" (the identity if it has none): translate,
 /// rotate (degrees) and scale as T Rz Ry Rx S, or "matrix", 16 numbers, row-major. Throws
-/// SceneError for a singular one and for a matrix that is not affine.
+/// SceneError for a singular transform and for a matrix that is not affine.
 AffineTransform readTransform(const JsonObject& shape);
 
 /// The same for quadrics and disks, which accept rotation, translation and uniform scale only.

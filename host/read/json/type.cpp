@@ -36,7 +36,7 @@ SchemaJson described(SchemaJson schema, const std::string& description) {
     return schema;
 }
 
-/// A type that reads the same wherever it stands.
+/// A type that does not depend on other definitions.
 JsonType fixedType(std::function<void(const JsonValue&)> check, SchemaJson schema) {
     return {std::move(check), [schema = std::move(schema)](SchemaJson&) { return schema; }};
 }
@@ -217,7 +217,7 @@ JsonType numberOrTextureType(const Range& range) {
 JsonType namedType(const std::string& name, const JsonType& type) {
     const auto schema = [=](SchemaJson& definitions) {
         if (!definitions.contains(name)) {
-            definitions[name] = nullptr; // keeps its place while the parts of the type are added
+            definitions[name] = nullptr; // keeps its place while its parts are added
             SchemaJson defined = type.schema(definitions);
             definitions[name] = std::move(defined);
         }

@@ -16,13 +16,13 @@ namespace calotype {
 
 using SchemaJson = nlohmann::ordered_json;
 
-/// What may stand as a value in a scene file.
+/// A type of values in a scene file.
 struct JsonType {
-    /// Throws SceneError where the value is something else. Empty for objects and what contains
+    /// Throws SceneError if the value has another type. Empty for objects and types that contain
     /// them: JsonObject checks these when they are read.
     std::function<void(const JsonValue&)> check;
 
-    /// The same as JSON Schema (draft 07). Parts that have a name are added to `definitions`.
+    /// The type as JSON Schema (draft 07). Adds its named parts to `definitions`.
     std::function<SchemaJson(SchemaJson& definitions)> schema;
 };
 
@@ -31,7 +31,7 @@ JsonType nonZeroNumberType();
 JsonType wholeNumberType(const ranges::WholeRange& range);
 JsonType booleanType();
 JsonType textType();
-/// Exactly this text, with the description that the schema gives it.
+/// Exactly this text. The schema shows the description.
 JsonType constantType(const std::string& text, const std::string& description);
 /// One of `names`, which must outlive the type.
 JsonType choiceType(std::span<const std::string> names);
@@ -41,19 +41,19 @@ JsonType vectorType();
 JsonType directionType();
 /// 16 numbers, row-major, of an affine transform.
 JsonType matrixType();
-/// One factor, or three of x, y and z; not 0.
+/// One factor, or three for x, y and z; not 0.
 JsonType scaleType();
 
 /// An array of exactly `count` values of one type.
 JsonType arrayType(const JsonType& element, size_t count);
 /// An array of any length.
 JsonType arrayType(const JsonType& element);
-/// An object whose keys are names of the author's.
+/// An object whose keys are names that the author chooses.
 JsonType mapType(const JsonType& value);
 
-/// A colour whose channels lie in ranges::kShare.
+/// A colour whose channels are in ranges::kShare.
 JsonType reflectanceType();
-/// A colour whose channels lie in ranges::kRadiance.
+/// A colour whose channels are in ranges::kRadiance.
 JsonType radianceType();
 JsonType textureNameType();
 JsonType materialNameType();
@@ -61,7 +61,7 @@ JsonType reflectanceOrTextureType();
 /// A number in `range`, or the name of a texture whose first channel is read.
 JsonType numberOrTextureType(const Range& range);
 
-/// `type`, which the schema defines once under `name` and refers to elsewhere.
+/// `type`, which the schema defines once under `name`, and refers to elsewhere.
 JsonType namedType(const std::string& name, const JsonType& type);
 
 } // namespace calotype

@@ -14,8 +14,8 @@
 
 namespace calotype {
 
-/// A JSON value that knows its place. Every getter throws SceneError at that place where the value
-/// is not what is asked for. Refers to the document and to the file's name, which must outlive it.
+/// A JSON value with its place. Every getter throws SceneError at that place if the value has
+/// another type. Refers to the document and to the file's name, which must outlive it.
 class JsonValue {
 public:
     JsonValue(const nlohmann::json& json, const std::string& file, std::string pointer = {})
@@ -36,17 +36,17 @@ public:
     const std::string& text() const;
     /// 64.0 counts as a whole number.
     uint32_t wholeNumber(const ranges::WholeRange& range) const;
-    /// The index in `choices` of this text.
+    /// The index of this text in `choices`.
     size_t choice(std::span<const std::string> choices) const;
 
-    /// The elements of an array of exactly `count`.
+    /// The elements of an array, which must have exactly `count`.
     std::vector<JsonValue> array(size_t count) const;
     std::vector<JsonValue> array() const;
     glm::dvec3 vector() const;
-    /// A vector that is not zero, made one long.
+    /// A vector that is not zero, normalised.
     glm::dvec3 direction() const;
 
-    /// "must be WHAT, not the text "a"".
+    /// Throws "must be WHAT, not the text "a"".
     [[noreturn]] void failType(const std::string& what) const;
 
 private:

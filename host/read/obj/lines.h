@@ -8,14 +8,14 @@
 
 namespace calotype {
 
-/// Without the mark that some editors put before UTF-8.
+/// Removes the byte order mark that some editors put before UTF-8.
 inline std::string_view withoutByteOrderMark(std::string_view text) {
     return text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
 }
 
 /// Calls `visit(number, line)` for each line of an OBJ or MTL text, numbered from 1, without
-/// leading blanks and its end (LF, CRLF or CR). A line that ends in a backslash, unless it is a
-/// comment, continues on the next; both are visited as one, under the number of the first.
+/// leading blanks and line end (LF, CRLF or CR). A line that ends in a backslash, unless it is a
+/// comment, continues on the next; both are visited as one line, with the number of the first.
 template <typename Visit>
 void forEachObjLine(std::string_view text, Visit&& visit) {
     std::string joined;
@@ -23,7 +23,7 @@ void forEachObjLine(std::string_view text, Visit&& visit) {
     size_t number = 0;
     size_t firstNumber = 0;
     size_t start = 0;
-    size_t newline = 0; // the first LF from `start` on
+    size_t newline = 0; // the first LF at `start` or later
     while (start < text.size()) {
         if (newline <= start)
             newline = std::min(text.find('\n', start), text.size());

@@ -30,21 +30,21 @@ constexpr double kShareOfPicture = 0.9;
 
 constexpr double kFloorReflectance = 0.5;
 constexpr double kBackground = 0.3;
-constexpr uint32_t kMaxBounces = 8; ///< through glass and out again
+constexpr uint32_t kMaxBounces = 8; ///< enough to go through glass and out again
 
-/// In units of the model's radius:
+/// In units of the model's radius.
 constexpr double kLightDistance = 5.0;
-/// Between the floor and a model's lowest point, so that the two are not in one plane.
+/// Distance from the floor to a model's lowest point, so that the two are not in one plane.
 constexpr double kFloorGap = 1e-3;
-/// The picture's upper edge looks 5 degrees down, so that even a very wide one sees no floor beyond
-/// so many times the camera's distance.
+/// In units of the camera's distance. The picture's upper edge looks 5 degrees down, so that even a
+/// very wide picture shows no floor beyond this.
 constexpr double kFloorSize = 15.0;
 
-/// Beyond these radii, in metres, squared lengths leave the range of the device's floats.
+/// Outside these radii, in metres, squared lengths exceed the range of the device's floats.
 constexpr double kSmallestRadius = 1e-12;
 constexpr double kLargestRadius = 1e12;
 
-/// A square light that faces the model, at angles about it (azimuth counter-clockwise from +Z).
+/// A square light that faces the model, at angles around it (azimuth counter-clockwise from +Z).
 struct LightPlan {
     const char* name;
     double azimuth;
@@ -62,7 +62,7 @@ glm::dvec3 directionAt(double azimuth, double elevation) {
             std::cos(azimuth) * std::cos(elevation)};
 }
 
-/// The box's centre and half its diagonal.
+/// The box's centre and half its diagonal, and the floor's height.
 struct ModelExtent {
     glm::dvec3 center;
     double radius;

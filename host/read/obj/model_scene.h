@@ -6,11 +6,11 @@
 
 namespace calotype {
 
-/// A scene around the Wavefront OBJ at `path`: the model on a grey floor, lit by two quads from
-/// above and the side and a faint background, seen at an angle from slightly above so that all of
-/// it is in the picture, be that square or wider. All sizes follow the model's, so that the picture
-/// does not depend on them. Materials that no MTL file defines are grey, with a warning. Throws
-/// SceneError, also for overrides, which have nothing to change here.
+/// A scene with the Wavefront OBJ at `path`: the model on a grey floor, lit by two quads, from
+/// above and from the side, and a faint background. The camera looks slightly down, at an angle, so
+/// that the whole model is in the picture, square or wider. All sizes are relative to the model's
+/// size, so that it does not change the picture. Materials that no MTL file defines are grey, with
+/// a warning. Throws SceneError, also for overrides, because there is nothing to change.
 SceneAndNotes readModelScene(const std::string& path, const LoadOptions& options);
 
 } // namespace calotype

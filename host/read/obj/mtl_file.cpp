@@ -14,7 +14,7 @@
 namespace calotype {
 namespace {
 
-/// Statements that mean nothing to a path tracer.
+/// Statements that have no meaning for a path tracer.
 constexpr std::array<std::string_view, 4> kWithoutEffect = {"ka", "map_ka", "sharpness", "map_aat"};
 /// Statements without effect when all their numbers are 0.
 constexpr std::array<std::string_view, 6> kNeutralAtZero = {"kt",  "ps",    "pc",
@@ -56,10 +56,10 @@ glm::dvec3 parseColor(TextCursor& cursor, const std::string& where) {
     return {numbers[0], numbers[1], numbers[2]};
 }
 
-/// The first number; what follows it is no matter.
+/// Reads the first number; ignores what follows it.
 double parseFinite(TextCursor& cursor, std::string_view keyword, const std::string& where) {
     std::string_view word = cursor.word();
-    if (word == "-halo") // "d -halo": fades towards the outline, which is rendered as plain "d"
+    if (word == "-halo") // "d -halo" fades towards the outline; it is rendered like plain "d"
         word = cursor.word();
     const std::optional<double> value = parseNumber(word);
     if (!value || !std::isfinite(*value)) {
@@ -136,7 +136,7 @@ std::map<std::string, MtlMaterial> parseMtl(std::string_view text, const std::st
         if (TextCursor name = cursor; lowercase(name.word()) == "newmtl") {
             current = &materials[std::string(trimmed(name.rest()))];
             current->directory = std::filesystem::path(path).parent_path();
-        } else if (current != nullptr) { // else no material's: often a title without its '#'
+        } else if (current != nullptr) { // else ignored: often a title without its '#'
             readStatement(*current, cursor, path + ":" + std::to_string(number));
         }
     });

@@ -13,9 +13,9 @@
 
 namespace calotype {
 
-/// One material of an MTL file, as written: numbers are finite, but may be out of their range.
+/// One material of an MTL file, as written: numbers are finite, but may be out of range.
 struct MtlMaterial {
-    std::filesystem::path directory;    ///< of the MTL file: its textures are named from there
+    std::filesystem::path directory;    ///< of the MTL file: textures are relative to it
     std::optional<glm::dvec3> diffuse;  ///< Kd
     std::optional<glm::dvec3> emission; ///< Ke
     glm::dvec3 specular{0.0};           ///< Ks
@@ -26,20 +26,20 @@ struct MtlMaterial {
     std::optional<double> ior;          ///< Ni
     std::optional<double> roughness;    ///< Pr
     std::optional<double> metallic;     ///< Pm
-    double illumination = 2.0;          ///< illum, a whole number by right
+    double illumination = 2.0;          ///< illum, which should be a whole number
     std::optional<MtlTexture> diffuseMap;
     std::optional<MtlTexture> alphaMap;
     std::optional<MtlTexture> bumpMap;   ///< map_Bump, bump
     std::optional<MtlTexture> normalMap; ///< norm
     std::optional<MtlTexture> roughnessMap;
     std::optional<MtlTexture> emissionMap;
-    std::set<std::string> unsupported; ///< statements with an effect that is not rendered
+    std::set<std::string> unsupported; ///< statements whose effect is not rendered
 };
 
-/// Reads the text of the MTL file at `path` (also the name for messages). Keywords count in any
-/// case. Throws SceneError at "PATH:LINE" for colours that are not one or three numbers of 0 or
-/// greater, for other numbers that are missing or not finite, and for garbage among the options of
-/// a texture or those out of range (see parseMtlTexture).
+/// Reads the text of the MTL file at `path` (also the name for messages), ignoring the case of
+/// keywords. Throws SceneError at "PATH:LINE" for colours that are not one or three numbers of 0 or
+/// greater, for other numbers that are missing or not finite, and for options of a texture that are
+/// invalid or out of range (see parseMtlTexture).
 std::map<std::string, MtlMaterial> parseMtl(std::string_view text, const std::string& path);
 
 } // namespace calotype

@@ -11,7 +11,7 @@
 namespace calotype {
 namespace {
 
-/// The names in a "mtllib" statement: blanks separate, a backslash keeps the next character.
+/// The names in a "mtllib" statement, separated by blanks; a backslash escapes the next character.
 std::vector<std::string> splitNames(const std::string& text) {
     std::vector<std::string> names(1);
     for (size_t i = 0; i < text.size(); ++i)
@@ -25,12 +25,12 @@ std::vector<std::string> splitNames(const std::string& text) {
     return names;
 }
 
-/// All MTL files of an OBJ together; the first definition of a name counts.
+/// All MTL files of an OBJ together; the first definition of a name is used.
 class MtlLibrary {
 public:
     MtlLibrary(const ObjFile& obj, const std::filesystem::path& directory, ReadContext& context) {
         for (const std::string& library : obj.libraries) {
-            // Many exporters write names with blanks as they are.
+            // Many exporters do not escape blanks in names.
             if (const auto path = findFile(directory, library)) {
                 read(*path, context);
                 continue;
@@ -43,7 +43,7 @@ public:
         }
     }
 
-    /// nullptr for a material that is not defined.
+    /// nullptr if the material is not defined.
     const MtlMaterial* find(const std::string& name) const {
         const auto found = materials_.find(name);
         return found != materials_.end() ? &found->second : nullptr;

@@ -12,10 +12,10 @@ namespace calotype {
 /// What to do with a material that no MTL file defines.
 enum class UndefinedMaterials : uint8_t {
     Fail, ///< throw SceneError at "OBJPATH:LINE"
-    Grey, ///< take the grey of faces without a material, with a warning
+    Grey, ///< use the grey of faces without a material, with a warning
 };
 
-/// Adds to Scene::materials what the OBJ's MTL files say of its materials, once for each OBJ. One
+/// Adds the materials of the OBJ's MTL files to Scene::materials, once for each OBJ. Returns one
 /// index for each of ObjFile::materialNames and, last, one for faces without a material, which are
 /// a grey of 0.5.
 std::vector<uint32_t> materialsFromMtl(const ObjFile& obj, const std::string& objPath,

@@ -49,7 +49,7 @@ uint32_t MtlMaps::converted(const MtlTexture& map, const std::filesystem::path& 
     const TextureFile file = readTextureFile(map.file, directory, map.place, context_);
     if (!file.image)
         return Material::kNoTexture;
-    // No path holds a zero.
+    // A zero separates path and recipe: paths cannot contain it.
     std::shared_ptr<const TexelImage>& cached =
         context_.images[file.path + std::string(1, '\0') + recipe];
     if (!cached)

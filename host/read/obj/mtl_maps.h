@@ -7,24 +7,24 @@
 
 namespace calotype {
 
-/// Textures of MTL files as textures of the scene; equal ones are one. What takes a map throws
-/// SceneError as readTextureFile does and, unless it says otherwise, returns an index into
-/// Scene::textures. `directory` is the MTL file's.
+/// Makes textures of the scene from textures of MTL files; equal ones are merged. Functions with a
+/// map throw SceneError like readTextureFile and, unless stated otherwise, return an index into
+/// Scene::textures. `directory` is that of the MTL file.
 class MtlMaps {
 public:
     explicit MtlMaps(ReadContext& context) : context_(context) {}
 
-    /// A missing image shows as magenta.
+    /// A missing image is shown as magenta.
     uint32_t color(const MtlTexture& map, const std::filesystem::path& directory);
-    /// Texture whose alpha is the image's alpha, or its first channel where it is opaque, or the
-    /// channel that -imfchan names. Material::kNoTexture for a missing image, as below.
+    /// A texture whose alpha is the channel that -imfchan names; else the image's alpha or, if it
+    /// is opaque, its first channel. Material::kNoTexture for a missing image, also below.
     uint32_t alpha(const MtlTexture& map, const std::filesystem::path& directory);
-    /// Texture whose first channel is that of -imfchan.
+    /// A texture whose first channel is that of -imfchan.
     uint32_t scalar(const MtlTexture& map, const std::filesystem::path& directory);
-    /// Normal map: the image itself, or made of its heights where it is grey (see isGrey).
+    /// A normal map: the image itself or, if it is grey (see isGrey), made from it as heights.
     uint32_t normals(const MtlTexture& map, const std::filesystem::path& directory);
 
-    /// The colour that the image has on average, linear; nullopt for a missing image.
+    /// The mean colour of the image, linear; nullopt for a missing image.
     std::optional<glm::dvec3> meanColor(const MtlTexture& map,
                                         const std::filesystem::path& directory);
 

@@ -63,7 +63,7 @@ private:
         return glm::min(color, glm::dvec3(1.0));
     }
 
-    /// Only one radiance can be emitted: the map counts by its mean.
+    /// The emission of a material is one radiance: a map is replaced by its mean.
     glm::dvec3 emission() {
         const auto stated = mtl_.emission.value_or(glm::dvec3(mtl_.emissionMap ? 1.0 : 0.0));
         if (!mtl_.emissionMap || stated == glm::dvec3(0.0))
@@ -107,13 +107,13 @@ private:
         return std::ranges::find(models, illumination_) != models.end();
     }
 
-    /// Tinted glass of exporters that know no index: without its filter it would be black.
+    /// Tinted glass of exporters that write no index; without its filter it would be black.
     bool isBlackFilter() const {
         const bool tints = largest(mtl_.filter) > 0.0 && mtl_.filter != glm::dvec3(1.0);
         return tints && !mtl_.diffuseMap && largest(material_.color) <= kBlack;
     }
 
-    /// Light cannot come from glass itself, and what has holes is thin.
+    /// Glass itself cannot emit light, and a surface with holes is thin.
     bool isGlass() const {
         const bool transmits = mtl_.dissolve.value_or(1.0) < 1.0 ||
                                mtl_.transparency.value_or(0.0) > 0.0 ||
@@ -169,14 +169,14 @@ private:
         } else if (material_.roughnessTexture != Material::kNoTexture) {
             material_.roughness = 1.0;
         } else if (exponent > 0.0) {
-            // A lobe of exponent n is about as wide as GGX's of alpha = sqrt(2 / (n + 2)).
+            // A lobe of exponent n has about the width of a GGX lobe of alpha = sqrt(2 / (n + 2)).
             material_.roughness = std::pow(2.0 / (exponent + 2.0), 0.25);
         } else {
             material_.roughness = kMetalRoughness;
         }
     }
 
-    /// Files of the Phong era say Ks 1 beside a bright Kd: both keep their proportion, but together
+    /// Old files combine Ks 1 with a bright Kd: both keep their proportion, but together they
     /// reflect no more than they receive.
     void becomeGlossy(double exponent) {
         const double ks = largest(atMostOne("Ks", mtl_.specular));

@@ -9,10 +9,10 @@
 
 namespace calotype {
 
-/// What is remarkable about the materials of an OBJ, gathered into one warning for each remark.
+/// Collects remarks about the materials of an OBJ: one warning for each remark.
 class MtlNotes {
 public:
-    /// `remark` is a sentence that the materials' names complete.
+    /// `remark` is a sentence that ends with the names of materials.
     void add(const std::string& remark, const std::string& material) {
         const auto found = std::ranges::find(notes_, remark, &Note::first);
         Note& note = found != notes_.end() ? *found : notes_.emplace_back(remark, Names());

@@ -10,10 +10,10 @@
 namespace calotype {
 namespace {
 
-/// Options are not looked for behind longer names: that takes the square of the length.
+/// Longer names are not searched for options: the time grows with the square of the length.
 constexpr size_t kLongestName = 4096;
 
-/// Without a comment: a '#' that stands alone.
+/// Without a comment, which starts with a '#' after a blank.
 std::string_view withoutComment(std::string_view text) {
     for (size_t i = 0; i < text.size(); ++i) {
         const bool startsWord = i == 0 || isBlank(text[i - 1]);
@@ -43,13 +43,13 @@ std::optional<TexelChannel> channelOf(std::string_view word) {
     return std::nullopt;
 }
 
-/// Reads options as long as there are any.
+/// Reads options from the start of a text.
 class OptionReader {
 public:
     OptionReader(MtlTexture& texture, std::string_view text, bool nameFollows)
         : texture_(texture), cursor_(text), nameFollows_(nameFollows) {}
 
-    /// What is left once no option comes next.
+    /// Reads all options and returns the rest of the text.
     std::string_view read() {
         while (true) {
             TextCursor next = cursor_;
@@ -84,7 +84,7 @@ private:
         } else if (option == "-boost") {
             ignoreUnless(number(option) == 0.0, option);
         } else if (option == "-texres") {
-            cursor_.word(); // the resolution of a copy, which is not made
+            cursor_.word(); // the resolution of a copy, which is not needed
         } else if (option == "-clamp") {
             texture_.clamps = isOn(option);
         } else if (option == "-cc") {
@@ -125,8 +125,8 @@ private:
         return *value;
     }
 
-    /// One to three numbers, of which the third is for textures in space. A last word is the
-    /// file's name even if it is a number.
+    /// One to three numbers; the third is for 3D textures and ignored. The last word is the file's
+    /// name, even if it is a number.
     glm::dvec2 vector(std::string_view option, glm::dvec2 value) {
         value.x = number(option);
         for (int i = 1; i < 3; ++i) {
@@ -145,7 +145,7 @@ private:
     bool nameFollows_;
 };
 
-/// Splits options off the end of a name, if all that follows some blank is options.
+/// Removes options from the end of a name if the text after some blank consists of options.
 std::string_view readTrailingOptions(MtlTexture& texture, std::string_view name) {
     if (name.size() > kLongestName)
         return name;
@@ -157,7 +157,7 @@ std::string_view readTrailingOptions(MtlTexture& texture, std::string_view name)
                 return name.substr(0, at);
             }
         } catch (const SceneError&) {
-            continue; // part of the name after all
+            continue; // it is part of the name
         }
     }
     return name;

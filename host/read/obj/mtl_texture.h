@@ -21,12 +21,12 @@ struct MtlTexture {
     double bumpMultiplier = 1.0;         ///< -bm
     bool isLinear = false;               ///< -colorspace linear
     std::optional<TexelChannel> channel; ///< -imfchan
-    std::vector<std::string> ignored;    ///< options that would have had an effect
+    std::vector<std::string> ignored;    ///< ignored options that should have an effect
 };
 
-/// Reads what follows a texture statement's keyword: options, then a file name, which may contain
-/// blanks, then possibly options again. nullopt where no name is given. Throws SceneError at
-/// `place` for an option whose argument is missing or garbage, and for -s and -o outside
+/// Reads the text after a texture statement's keyword: options, then a file name, which may contain
+/// blanks, then possibly more options. nullopt if there is no name. Throws SceneError at `place`
+/// for an option whose argument is missing or invalid, and for -s and -o outside
 /// ranges::kTextureCoordinate.
 std::optional<MtlTexture> parseMtlTexture(std::string_view text, const std::string& place);
 

@@ -10,7 +10,7 @@
 
 namespace calotype {
 
-/// What has been read of OBJ files, by their paths: each is read once, however many meshes name it.
+/// The OBJ files that have been read, by path: each is read once for all its meshes.
 struct ObjCache {
     std::map<std::string, std::shared_ptr<const ObjFile>> files;
     std::map<std::string, std::vector<uint32_t>> mtlMaterials; ///< see materialsFromMtl

@@ -19,16 +19,16 @@
 namespace calotype {
 namespace {
 
-/// A stream over memory that is not copied.
+/// A stream that reads from memory without copying.
 class MemoryBuffer : public std::streambuf {
 public:
     explicit MemoryBuffer(std::string_view text) {
-        char* start = const_cast<char*>(text.data()); // read only: no put area is ever set
+        char* start = const_cast<char*>(text.data()); // read only: there is no put area
         setg(start, start, start + text.size());
     }
 };
 
-/// Takes tinyobjloader's events and cuts each polygon as it comes.
+/// Receives tinyobjloader's events and triangulates each polygon.
 class Receiver {
 public:
     Receiver(ObjFile& file, const ObjOutline& outline) : file_(file), outline_(outline) {
@@ -54,7 +54,7 @@ public:
             static_cast<Receiver*>(self)->addPolygon({indices, static_cast<size_t>(count)});
         };
         tinyobj::LoadObjWithCallback(stream, callbacks, this);
-        // The outline has vouched for every index, if only both have read the same.
+        // The outline has checked every index; that holds only if both read the same data.
         CALOTYPE_CHECK_EQ(file_.positions.size(), outline_.positions);
         CALOTYPE_CHECK_EQ(file_.normals.size(), outline_.normals);
         CALOTYPE_CHECK_EQ(file_.uvs.size(), outline_.uvs);
@@ -62,7 +62,7 @@ public:
         CALOTYPE_CHECK_EQ(corners_.size(), outline_.corners);
     }
 
-    /// Once all vertices are known, for faces may refer to later ones.
+    /// Called when all vertices are known, because faces may refer to later ones.
     void triangulate() {
         for (const size_t index : outline_.nonFiniteNormals)
             file_.normals[index] = glm::dvec3(0.0);
@@ -89,7 +89,7 @@ private:
     static constexpr uint32_t kNone = ~0u;
     static_assert(Mesh::kNoNormal == kNone && Mesh::kNoUv == kNone);
 
-    /// From OBJ's index (from 1, negative counts back, 0 is none).
+    /// Converts an OBJ index (from 1; negative counts from the end; 0 is none).
     static uint32_t resolve(int index, size_t count) {
         if (index == 0)
             return kNone;

@@ -20,19 +20,19 @@ struct ObjFile {
     std::vector<glm::dvec3> positions;
     std::vector<glm::dvec3> normals;
     std::vector<glm::dvec2> uvs;
-    /// `material` is an index into `materialNames` or kNoMaterial. Faces one of whose normals is
-    /// zero, not finite or missing have Mesh::kNoNormal in all corners; those one of whose texture
-    /// coordinates is missing, Mesh::kNoUv.
+    /// `material` is an index into `materialNames` or kNoMaterial. If one of a face's normals is
+    /// zero, not finite or missing, all its corners have Mesh::kNoNormal; if one of its texture
+    /// coordinates is missing, all have Mesh::kNoUv.
     std::vector<Mesh::Triangle> triangles;
     std::vector<std::string> materialNames; ///< those that faces use
     std::vector<size_t> materialLines;      ///< of the first face that uses each
     std::vector<std::string> libraries;     ///< what follows each "mtllib"
     bool hasFacesWithoutMaterial = false;
-    uint64_t crossingPolygons = 0; ///< cut into triangles that may overlap
+    uint64_t crossingPolygons = 0; ///< polygons whose triangles may overlap
 };
 
 /// Parses the text of the OBJ file at `path` (the name for messages). Throws SceneError at
-/// "PATH:LINE" for what checkObj refuses, and at "PATH" where there is no polygon at all.
+/// "PATH:LINE" like checkObj, and at "PATH" if there is no polygon at all.
 ObjFile parseObj(std::string_view text, const std::string& path);
 
 } // namespace calotype

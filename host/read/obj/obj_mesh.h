@@ -16,17 +16,17 @@
 
 namespace calotype {
 
-/// The OBJ file at `path`, of `cache` or read now. Throws SceneError at `where` if it cannot be
-/// read. Warns of polygons that cannot be cut properly.
+/// The OBJ file at `path`, from `cache` if it was read before. Throws SceneError at `where` if it
+/// cannot be read. Warns of polygons that cannot be triangulated exactly.
 std::shared_ptr<const ObjFile> readObj(const std::string& path, const std::string& where,
                                        ObjCache& cache, ReadContext& context);
 
-/// What else a mesh of an OBJ is made from.
+/// Further inputs for a mesh of an OBJ.
 struct ObjMeshInput {
     std::string path;  ///< of the OBJ, for warnings
     std::string where; ///< for errors
-    /// The index in Scene::materials of each of ObjFile::materialNames and, last, of faces without
-    /// a material; or one for all.
+    /// The index in Scene::materials for each of ObjFile::materialNames and, last, for faces
+    /// without a material; or one index for all.
     std::vector<uint32_t> materials;
     /// By index in Scene::materials.
     std::span<const std::optional<Displacement>> displacements;
@@ -34,8 +34,8 @@ struct ObjMeshInput {
     NormalMode normals = NormalMode::Auto;
 };
 
-/// The OBJ as a mesh in world space, displaced. Warns where textures are read but texture
-/// coordinates missing, and of triangles without an area, which are left out.
+/// The OBJ as a mesh in world space, displaced. Warns if textures are used but texture coordinates
+/// are missing, and of triangles without an area, which are left out.
 Mesh buildObjMesh(const ObjFile& obj, const ObjMeshInput& input, ReadContext& context);
 
 } // namespace calotype

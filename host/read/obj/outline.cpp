@@ -23,14 +23,14 @@ constexpr std::array<const char*, kKindCount> kKindNames = {"position", "texture
                                                             "normal"};
 constexpr std::array<const char*, kKindCount> kKeywords = {"v", "vt", "vn"};
 constexpr std::array<int, kKindCount> kFewestNumbers = {3, 1, 3};
-/// Numbers after these (weights, colours) are not used, but still have to be numbers.
+/// Further numbers (weights, colours) are not used, but they must still be numbers.
 constexpr std::array<int, kKindCount> kUsedNumbers = {3, 2, 3};
 
-/// Which vertex data faces use, by kind and index.
+/// The vertex data that faces use, by kind and index.
 using Usage = std::array<std::vector<bool>, kKindCount>;
 
-/// One pass over the text. The first tolerates bad numbers; where it met some, a second collects
-/// what faces use and a third complains of bad numbers among that.
+/// One pass over the text. The first pass accepts bad numbers. If it found some, a second pass
+/// collects what faces use, and a third reports bad numbers among that.
 class ObjPass {
 public:
     ObjPass(const std::string& path, Usage* collected, const Usage* relevant)
@@ -123,7 +123,7 @@ private:
         }
     }
 
-    /// `describe` makes the message, which costs too much for what may not matter.
+    /// `describe` makes the message only if needed, because that is slow.
     template <typename Describe>
     void complain(Kind kind, Describe&& describe) {
         foundBadNumbers_ = true;

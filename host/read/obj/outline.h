@@ -7,11 +7,11 @@
 
 namespace calotype {
 
-/// What an OBJ file holds, short of its numbers.
+/// The structure of an OBJ file, without its numbers.
 struct ObjOutline {
     static constexpr uint32_t kNoMaterial = ~0u;
 
-    /// From polygon `firstPolygon` on, faces use `materialNames[material]`, or none.
+    /// From polygon `firstPolygon` on, faces use `materialNames[material]`, or no material.
     struct MaterialRun {
         size_t firstPolygon;
         uint32_t material;
@@ -26,15 +26,15 @@ struct ObjOutline {
     std::vector<MaterialRun> materialRuns;
     std::vector<std::string> libraries;   ///< what follows each "mtllib"
     std::vector<size_t> nonFiniteNormals; ///< indices of normals with a NaN or an infinity
-    /// Whether tinyobjloader would misread faces, for comments after them or empty last fields, or
-    /// numbers of vertices.
+    /// Whether tinyobjloader would misread the file, because of comments after faces, empty last
+    /// fields, or some numbers of vertices.
     bool needsRewriting = false;
 };
 
-/// Finds what tinyobjloader passes over in silence. Throws SceneError at "PATH:LINE" for faces
-/// with fewer than three corners or malformed ones, for indices of 0 or out of range, and for
-/// vertices that a face uses but whose numbers are missing, garbage, (but for normals) not finite
-/// or (of texture coordinates) outside ranges::kTextureCoordinate.
+/// Finds errors that tinyobjloader ignores. Throws SceneError at "PATH:LINE" for faces with fewer
+/// than three corners or malformed ones, for indices of 0 or out of range, and for vertices that a
+/// face uses but whose numbers are missing, invalid, (except normals) not finite or (texture
+/// coordinates) outside ranges::kTextureCoordinate.
 ObjOutline checkObj(std::string_view text, const std::string& path);
 
 } // namespace calotype

@@ -23,7 +23,7 @@ std::string tidyVertex(std::string_view keyword, TextCursor cursor) {
     std::string result(keyword);
     while (!cursor.atEnd()) {
         const double value = parseNumber(cursor.word()).value_or(0.0);
-        std::array<char, 32> digits{}; // the shortest form of a double has up to 24
+        std::array<char, 32> digits{}; // the shortest form of a double has at most 24
         const auto end = std::to_chars(digits.data(), digits.data() + digits.size(),
                                        std::isfinite(value) ? value : 0.0)
                              .ptr;
@@ -34,7 +34,7 @@ std::string tidyVertex(std::string_view keyword, TextCursor cursor) {
 
 } // namespace
 
-/// Below 200 characters and with two digits of exponent, no factor leaves the range of doubles.
+/// Up to 200 characters and two exponent digits, no factor exceeds the range of doubles.
 bool tinyobjReadsNumber(std::string_view word) {
     constexpr size_t kLongest = 200;
     constexpr size_t kLongestExponent = 3; // its sign and two digits
