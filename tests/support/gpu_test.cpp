@@ -1,25 +1,41 @@
 #include "support/gpu_test.h"
 
 #include <cstdlib>
+#include <optional>
 
 namespace calotype::test {
 namespace {
 
-const Instance& testInstance() {
-    static const Instance instance(true);
-    return instance;
-}
+std::optional<Instance> instance;
+std::optional<Device> device;
+
+/// Destroys the device before the process exits. The validation layers of Debian 13 have destroyed
+/// their own global objects by the time that those of this file are destroyed, and crash.
+class DeviceEnvironment : public testing::Environment {
+    void TearDown() override {
+        device.reset();
+        instance.reset();
+    }
+};
+
+[[maybe_unused]] const testing::Environment* const registered =
+    testing::AddGlobalTestEnvironment(new DeviceEnvironment);
 
 } // namespace
 
 const Device& testDevice() {
-    const char* wish = std::getenv("CALOTYPE_DEVICE");
-    static const Device device(testInstance(), wish ? wish : "", "CALOTYPE_DEVICE");
-    return device;
+    if (!device) {
+        instance.emplace(true);
+        const char* wish = std::getenv("CALOTYPE_DEVICE");
+        device.emplace(*instance, wish ? wish : "", "CALOTYPE_DEVICE");
+    }
+    return *device;
 }
 
 void GpuTest::TearDown() {
-    for (const std::string& message : testInstance().validationMessages())
+    if (!instance)
+        return;
+    for (const std::string& message : instance->validationMessages())
         ADD_FAILURE() << "validation layer: " << message;
 }
 
