@@ -111,7 +111,7 @@ TEST(FolderOrderTest, IncludesStartAtARootAndAreQuoted) {
 
 // Shader library code is pure, so that a test kernel can call the very function that the renderer
 // calls. Each of these has its folders: specialization constants, reads of the packed scene, and
-// the kernels' own inputs and outputs.
+// the kernels' own inputs, outputs and global variables (declarations that start a line).
 TEST(FolderOrderTest, ShaderLibraryIsPure) {
     struct Impurity {
         std::regex text;
@@ -122,6 +122,8 @@ TEST(FolderOrderTest, ShaderLibraryIsPure) {
         {std::regex(R"(\bconstant_id\b)"), {"config", "kernels"}},
         {std::regex(R"(\btexelFetch\b)"), {"buffers"}},
         {std::regex(R"(\bgl_[A-Z]|\bimage(Load|Store)\b|\batomic[A-Z]|^\s*shared\b)"), {"kernels"}},
+        {std::regex(R"(^(?!(const|CALOTYPE_CONSTANT|using)\b)(\w+\s+)+\w+(\[[^\]]*\])*\s*[=;,])"),
+         {"kernels"}},
     };
     for (const fs::path& file : filesBelow(kRoot / "shaders")) {
         const std::string folder = *fs::relative(file, kRoot / "shaders").begin();
@@ -131,6 +133,19 @@ TEST(FolderOrderTest, ShaderLibraryIsPure) {
                             !std::regex_search(line, impurity.text))
                     << file << ": " << line;
     }
+}
+
+// A file has one idea: a longer file has several.
+TEST(FolderOrderTest, FilesHaveAtMostFourHundredLines) {
+    const std::set<std::string> extensions = {".cpp", ".h", ".glsl", ".comp", ".py"};
+    size_t files = 0;
+    for (const char* folder : {"host", "shaders", "tests"})
+        for (const fs::path& file : filesBelow(kRoot / folder))
+            if (extensions.contains(file.extension())) {
+                ++files;
+                EXPECT_LE(linesOf(file).size(), 400u) << file;
+            }
+    EXPECT_GT(files, 500u);
 }
 
 TEST(FolderOrderTest, KernelsAreShort) {
