@@ -3,7 +3,7 @@
 
 usage: mitsuba_worker.py VARIANT SCENE.json SPP
 
-Knows of Calotype's scenes what `compare` writes: a pinhole camera, diffuse materials on meshes and
+Reads of Calotype's scenes what `compare` writes: a pinhole camera, diffuse materials on meshes and
 quads, and quads that shine from their front. Prints "ready", then for each line read the seconds
 that one picture took. A line that names a file also writes the picture there (PFM).
 """

@@ -48,7 +48,7 @@ TEST_F(AovTest, LayersGoIntoEveryExrBesideThePicture) {
     EXPECT_NEAR(floor.uv.y, (3.0 - floor.position.z) / 6.0, 1e-5); // though there is no texture
 }
 
-// Layers ask for texture coordinates on the device, which the picture must not notice.
+// Layers need texture coordinates on the device. That must not change the picture.
 TEST_F(AovTest, PictureIsTheSameWithAndWithoutLayers) {
     const std::string with = folder_ / "with.exr";
     const std::string without = folder_ / "without.exr";

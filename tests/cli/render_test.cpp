@@ -275,9 +275,9 @@ bool isPending(int pid, int signal) {
     return (pending >> (signal - 1) & 1) != 0;
 }
 
-// Held still between the two, so that it cannot have ended by itself before the second. How it
-// ends, and that it writes nothing, tell; how long a killed process takes to go is the system's
-// business.
+// Stopped between the two signals, so that it cannot have ended by itself before the second. The
+// test looks at how it ends, and that it writes nothing. How long a killed process takes to end
+// depends on the system.
 TEST_F(InterruptTest, LaterSignalEndsAtOnce) {
     const ProgramResult result = runInterrupted([](int pid) {
         kill(pid, SIGINT);

@@ -23,7 +23,7 @@ protected:
 };
 
 TEST_F(StudyTest, TimedRunWritesTableAndPlotAndPage) {
-    // Its error is spread over all pixels, so that few samples tell it well.
+    // Its error is spread over all pixels, so that few samples measure it well.
     scene_ = std::string(kProjectFolder) + "/scenes/cornell-box.json";
     const ProgramResult result = study({"--budget", "20s", "--size", "32x32"});
     ASSERT_EQ(result.exitCode, 0) << result.errors;

@@ -104,7 +104,7 @@ Scene sceneOrthographic(Camera camera, View view) {
     return wallAt(camera, view.distance);
 }
 
-// Texture coordinates are told to 2^-24 of the wall, 256 pixels wide: to 1e-5 pixels.
+// Texture coordinates are exact to 2^-24 of the wall, which is 256 pixels wide: to 1e-5 pixels.
 void expectSharp(const Scene& scene) {
     EXPECT_LT(deviationOf(scene).worst, 1e-3);
     expectJudgement(judge(scene, 16, 4), 1e-4);

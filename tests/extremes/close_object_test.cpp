@@ -1,4 +1,4 @@
-// A scene of a millimetre inside a room of ten metres, seen from as close as its own size asks for.
+// A scene of a millimetre inside a room of ten metres, seen from as close as its size requires.
 #include "extremes/picture_agreement.h"
 #include "extremes/scaled_scene.h"
 #include "support/gpu_test.h"

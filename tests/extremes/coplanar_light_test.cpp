@@ -63,7 +63,7 @@ void expectFloorIsLit(bool isDisk, double turn, double gap) {
     expectJudgement(Room(isDisk, turn, gap).judgeFloor(), 0.006);
 }
 
-// From a millionth of the camera's distance on, the two are told apart by every ray.
+// From a millionth of the camera's distance on, every ray separates the two.
 void expectLampIsSeen(bool isDisk, double turn, double gap) {
     SCOPED_TRACE(testing::Message() << (isDisk ? "disk" : "quad") << " turned by " << turn);
     Room room(isDisk, turn, gap);

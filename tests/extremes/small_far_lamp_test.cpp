@@ -1,5 +1,5 @@
-// Lamps and the floor under them, so small that single precision knows their places badly: how much
-// light is lost or gained in all.
+// Lamps and the floor under them, so small that single precision rounds their places badly: how
+// much light is lost or gained in all.
 #include "check/small_shapes.h"
 #include "extremes/judgement.h"
 #include "extremes/scaled_scene.h"

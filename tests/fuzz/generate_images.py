@@ -1,4 +1,4 @@
-"""Writes the image and film seeds below corpus/: tiny files of every kind that the readers know.
+"""Writes the image and film seeds below corpus/: tiny files of every kind that is read.
 
 All is made from the formats' specifications with the standard library, so that each file holds
 what its name says and nothing else.

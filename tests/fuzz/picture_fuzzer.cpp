@@ -1,4 +1,4 @@
-// The input is a picture that `calotype compare` reads: EXR, PFM, HDR or PNG, told by its content.
+// The input is a picture that `calotype compare` reads: EXR, PFM, HDR or PNG, by its content.
 
 #include "base/check.h"
 #include "harness.h"

@@ -6,7 +6,7 @@
 
 namespace calotype::fuzz {
 
-/// Puts the right checksum at the end of each chunk of a PNG, as far as chunks can be told apart;
+/// Puts the right checksum at the end of each chunk of a PNG, as far as chunks can be recognised;
 /// leaves other files as they are.
 inline void repairPngChecksums(uint8_t* data, size_t size) {
     constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";

@@ -33,8 +33,8 @@ build() {
     cmake --build "$folder"
 }
 
-# fuzz NAME FOUND OPTION...: new inputs go to the folder FOUND. Ten seconds are ample for one input,
-# and 2 GiB for what a few kilobytes can ask for.
+# fuzz NAME FOUND OPTION...: new inputs go to the folder FOUND. Ten seconds are enough for one
+# input, and 2 GiB for what a few kilobytes can request.
 fuzz() {
     local name=$1 found=$2
     shift 2

@@ -10,7 +10,7 @@
 namespace calotype::fuzz {
 namespace {
 
-/// Whether any "subdivide" asks for more than 4^4 triangles for each: the format allows so many
+/// Whether any "subdivide" makes more than 4^4 triangles of each: the format allows so many
 /// that time and memory would be spent on them alone.
 bool subdividesFinely(std::string_view text) {
     constexpr double kMostSubdivisions = 4.0;

@@ -21,7 +21,7 @@ constexpr uint32_t kSamples = 100'000;
 constexpr uint32_t kOracleRays = 400'000;
 const glm::vec3 kRadiance(3.0f, 2.0f, 1.0f);
 
-/// A light alone in its scene, and a point that it shines upon.
+/// A light alone in its scene, and a point that it lights.
 struct LightCase {
     std::string name;
     Shape shape;
@@ -85,8 +85,8 @@ struct DirectionCone {
         return frame * glm::dvec3(radius * std::cos(phi), y, radius * std::sin(phi));
     }
 
-    /// Adds what is integrated over the light's directions: the solid angle, and moments that tell
-    /// a density of the wrong shape from one of the right, each 1 at most.
+    /// Adds what is integrated over the light's directions: the solid angle, and moments that
+    /// differ between a density of the wrong shape and the right one, each 1 at most.
     void addTo(Moments& sums, const glm::dvec3& w, double weight) const {
         const glm::dvec3 local = glm::transpose(frame) * w;
         const double sine = cosine > 0.0 ? std::sqrt(1.0 - cosine * cosine) : 1.0;

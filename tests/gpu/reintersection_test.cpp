@@ -8,7 +8,7 @@
 // Rays that leave a surface, from where offsetFromSurface puts them. To the outside they never meet
 // the convex shape again; to the inside they meet its far side and nothing before. A disk has two
 // outsides. Where two faces meet within rounding, at a rim or an apex, the point moved inward by
-// the one may lie outside the other, or too near to it to tell.
+// the one may lie outside the other, or too near to it to decide.
 
 namespace calotype::test {
 namespace {

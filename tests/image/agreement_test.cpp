@@ -174,8 +174,8 @@ using PlantedBiasTest = GpuTest;
 /// Smooth: no small light, hardly any gloss.
 Scene smoothScene() { return projectScene("scenes/background.json"); }
 
-// The test above with 4.5 times its samples: it takes two renderings of one light for equal, and
-// tells a light that is brighter by 0.2 % in one channel.
+// The test above with 4.5 times its samples: it judges two renderings of one light as equal, and
+// detects a light that is brighter by 0.2 % in one channel.
 TEST_F(PlantedBiasTest, OfAFiveHundredthIsCaughtInEveryChannel) {
     constexpr uint32_t kSide = 48;
     constexpr size_t kBlocks = 64;

@@ -60,7 +60,7 @@ struct Differences {
 
     void add(const FirstHit& a, const FirstHit& b) {
         const auto grow = [](double& most, float value) {
-            EXPECT_TRUE(std::isfinite(value)); // else no maximum would tell
+            EXPECT_TRUE(std::isfinite(value)); // a maximum would hide a NaN
             most = std::max<double>(most, value);
         };
         grow(position, glm::distance(a.position, b.position) / a.depth);

@@ -176,7 +176,7 @@ Scene movedScene(const glm::dvec3& offset) {
     return scene;
 }
 
-// The packed scene has an origin of its own; only positions know how far away it is.
+// The packed scene has an origin of its own; of all layers only positions depend on it.
 TEST_F(FirstHitTest, FarAwayIsTheSameButForPositions) {
     const glm::dvec3 offset(3'000'000.0, -700'000.0, 20'000.0);
     const FirstHitImage near = firstHitsOf(movedScene(glm::dvec3(0.0))).image;

@@ -138,7 +138,7 @@ TEST_F(InvarianceTest, PartialBlockIsDividedPixelByPixel) {
     EXPECT_GT(glowing, 0u);
 }
 
-// Stopped after a few dispatches and asked for its picture, a session shows the samples it has.
+// The picture of a session that was stopped after a few dispatches shows the samples it has.
 TEST_F(InvarianceTest, StoppedSessionShowsWhatThereIs) {
     RenderWish wish = small();
     wish.samplesPerPixel = 1 << 20;
@@ -150,8 +150,8 @@ TEST_F(InvarianceTest, StoppedSessionShowsWhatThereIs) {
     EXPECT_GT(imageMean(stopped.image).x, 0.01);
 }
 
-// Scattering 400 times in a closed room takes more loop iterations than llvmpipe grants a dispatch
-// for a block of samples, so the work has to be taken up again; the mean tells if any was lost.
+// Scattering 400 times in a closed room takes more loop iterations than llvmpipe allows a dispatch
+// for a block of samples, so the work continues in another one; the mean is wrong if any is lost.
 TEST_F(InvarianceTest, LongPathsSurviveTheLoopBudget) {
     SceneBuilder builder;
     builder.material(0.98, 0.02);

@@ -77,7 +77,7 @@ TEST_F(ReferenceTest, BitterliVeachMisButForItsPlates) {
         part.seen += pixel.y;
         part.expected += expected.pixels[i].y;
     }
-    // Lest a colour cast everywhere leave nothing to compare: the plates fill a sixth of the
+    // If colours were wrong everywhere, nothing would be compared: the plates fill a sixth of the
     // picture.
     EXPECT_LT(platePixels, 14000);
     EXPECT_NEAR(room.ratio(), 1.0, 0.002);

@@ -187,7 +187,7 @@ TEST_F(TexturedSurfaceTest, FarSideOfAClosedLampShinesThroughTheNearOne) {
         EXPECT_NEAR(floorUnder(lamp, 0.5, 1.0) / floorUnder(lamp, 1.0, 1.0), 0.75, 0.015);
 }
 
-// A ray through a translucent ball asks at its front and at its back.
+// A ray through a translucent ball reads alpha at its front and at its back.
 TEST_F(TexturedSurfaceTest, TranslucentBallIsCrossedTwice) {
     SceneBuilder builder;
     Material veil;

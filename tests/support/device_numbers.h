@@ -1,6 +1,6 @@
 #pragma once
 
-/// What the device's arithmetic knows and the tests measure by.
+/// Numbers of the device's arithmetic, by which tests measure.
 namespace calotype::test {
 
 inline constexpr double kRoundoffOfFloat = 0x1p-23;

@@ -23,7 +23,7 @@ Real reachOf(const shared::Quadric& quadric);
 
 /// The length to which the roundings of an intersection at t (infinity: none) are relative: that of
 /// the coordinates seen from the quadric. A cone's quadratic form gets as flat towards the apex as
-/// the point is near to it, compared with the cone's size, and its surface is known the less well.
+/// the point is near to it, compared with the cone's size, and its surface is as much less certain.
 Real roundingScale(const shared::Quadric& quadric, const Line& world, Real t);
 
 /// Where a world line runs inside a sphere, cylinder or cone whose surface moved outward by

@@ -11,7 +11,7 @@ namespace calotype::test {
 /// reaches everywhere, each texel found by its integer column and row; nothing is folded before.
 ///
 /// RGB and alpha at a position of the source (texture coordinates after scale and offset). `decode`
-/// asks for linear colours, as a colour slot does.
+/// gives linear colours, as a colour slot does.
 glm::dvec4 oracleTexture(const Texture& texture, const glm::dvec2& position, bool decode);
 
 /// IEC 61966-2-1: the linear value of an encoded one in [0, 1].

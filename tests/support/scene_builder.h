@@ -8,7 +8,7 @@
 
 namespace calotype::test {
 
-/// Scenes put together in code, for tests that know the answer.
+/// Makes scenes in code, for tests whose answer is known.
 class SceneBuilder {
 public:
     SceneBuilder() {

@@ -7,7 +7,7 @@
 
 namespace calotype::test {
 
-/// A scene of shapes that all bear material 0, a grey; the camera is at the origin.
+/// A scene of shapes and one material, a grey, with the number 0; the camera is at the origin.
 Scene sceneOf(std::vector<Shape> shapes);
 
 Shape shapeOf(std::variant<Sphere, Cylinder, Cone, Disk, Mesh> geometry, uint32_t material = 0);

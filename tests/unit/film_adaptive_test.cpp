@@ -152,7 +152,7 @@ TEST(AllocateBlocksTest, KeepsItsBounds) {
     }
     EXPECT_EQ(blocks[7], 500u);
     EXPECT_GT(blocks[55], 3u);
-    EXPECT_EQ(allocateBlocks(survey, 10, least, 64, 10), least) << "more is asked than there is";
+    EXPECT_EQ(allocateBlocks(survey, 10, least, 64, 10), least) << "requires more than there is";
 }
 
 // Little noise to be seen does not mean that there is none: all samples are dealt out.

@@ -30,8 +30,8 @@ TEST(BlockRangesTest, JoinsNeighbours) {
     EXPECT_EQ(rangesOf(blocks), (std::vector<BlockRange>{{0, 20}}));
 }
 
-// The same set in any order is the same ranges, and all that is asked of them is what a plain set
-// says.
+// The same set in any order gives the same ranges, and all their functions return what a plain set
+// does.
 TEST(BlockRangesTest, AgreesWithAPlainSet) {
     std::mt19937 random(5);
     for (int round = 0; round < 200; ++round) {

@@ -50,7 +50,7 @@ TEST(ErrorEstimateTest, IsItsFormula) {
     EXPECT_NEAR(estimate->relative, 1.96 * std::sqrt(0.5 * (first + second)), 1e-12);
     EXPECT_EQ(estimate->replicas, 2u);
     EXPECT_FALSE(estimate->doubt);
-    EXPECT_FALSE(estimate->isTrusted()) << "two replicas cannot tell";
+    EXPECT_FALSE(estimate->isTrusted()) << "two replicas are too few";
 }
 
 TEST(ErrorEstimateTest, WeighsReplicasByTheirSamples) {

@@ -41,7 +41,7 @@ void expectRefused(const fs::path& path, const std::string& reason) {
     }
 }
 
-/// Lets the process write no file longer than `bytes`: a full disk, as far as write() can tell.
+/// Lets the process write no file longer than `bytes`: to write(), it is as if the disk were full.
 class FileSizeLimit {
 public:
     explicit FileSizeLimit(rlim_t bytes) : oldHandler_(std::signal(SIGXFSZ, SIG_IGN)) {

@@ -45,7 +45,7 @@ TEST_F(MtlMapsTest, CutOutsComeFromMapDOrTheColoursAlpha) {
     };
     EXPECT_EQ(alphaOf(load("map_d leaf.png\n")), 100);            // its alpha
     EXPECT_EQ(alphaOf(load("map_d grey.png\n")), 60);             // it has none: its first channel
-    EXPECT_EQ(alphaOf(load("map_d -imfchan g leaf.png\n")), 255); // as asked for
+    EXPECT_EQ(alphaOf(load("map_d -imfchan g leaf.png\n")), 255); // as -imfchan says
     EXPECT_EQ(alphaOf(load("map_Kd leaf.png\nmap_d grey.png\n")), 60);
     const Material leaf = materialOf("map_Kd leaf.png\n");
     EXPECT_EQ(leaf.alphaTexture, leaf.colorTexture);

@@ -93,8 +93,8 @@ TEST(PackSceneTest, TellsFewQuadricsFromMany) {
     EXPECT_FALSE(areMany({ball(0.5)}));
 }
 
-// What only a material asks for that nothing bears is neither compiled in nor uploaded.
-TEST(PackSceneTest, LeavesOutMaterialsThatNothingBears) {
+// What only an unused material needs is neither compiled in nor uploaded.
+TEST(PackSceneTest, LeavesOutMaterialsThatNoShapeUses) {
     Scene scene = sceneOf({shapeOf(Sphere{})});
     auto image = std::make_shared<TexelImage>();
     image->width = image->height = 64;

@@ -24,7 +24,7 @@ Bvh randomTree(size_t nodes, double probability, RandomNumbers& random) {
                 ++children;
             }
         }
-        if (children == 0 && firstNode == i + 1) { // lest the tree end here
+        if (children == 0 && firstNode == i + 1) { // so that the tree does not end here
             slots[i % Bvh::kSlots].kind = Bvh::SlotKind::Node;
             children = 1;
         }

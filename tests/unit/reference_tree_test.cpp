@@ -2,7 +2,7 @@
 
 #include "unit/reference_shapes.h"
 
-// The tree must find what every primitive, asked alone, says: the same t to the last bit.
+// The tree must find what an intersection with every primitive finds: the same t to the last bit.
 
 namespace calotype::test {
 namespace {

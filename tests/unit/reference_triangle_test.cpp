@@ -170,7 +170,7 @@ TEST(ReferenceClosedMeshTest, OfSliversLetsNoRayOut) {
     EXPECT_EQ(countEscapes(flat, {}, 0.9 * halfAxes, kRays / 4), 0u);
 }
 
-// Double rounding leaves many products of coordinates equal here, so only the exact sign tells. In
+// Double rounding leaves many products of coordinates equal here, so the exact sign is needed. In
 // thinner ones a start inside counts as in the plane of the walls.
 TEST(ReferenceClosedMeshTest, SeenAsANeedleLetsNoRayOut) {
     const glm::dvec3 halfAxes(1.0, 1e-13, 1e-13);

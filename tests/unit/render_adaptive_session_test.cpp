@@ -1,4 +1,4 @@
-// How an adaptive session deals out samples, judged by what a made-up tracer is asked for.
+// How an adaptive session distributes samples: the samples that it requests from a fake tracer.
 #include "render/adaptive_session.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// How a session divides a render into blocks, passes and dispatches: judged by the samples that a
-// tracer is asked for.
+// How a session divides a render into blocks, passes and dispatches: the samples that it requests
+// from a fake tracer.
 #include "render/render_session.h"
 
 #include <algorithm>

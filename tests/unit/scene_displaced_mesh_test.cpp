@@ -1,4 +1,4 @@
-// Displacement as scenes ask for it: on meshes and on materials.
+// Displacement as scenes request it: on meshes and on materials.
 
 #include <cmath>
 

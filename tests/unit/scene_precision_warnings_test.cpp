@@ -1,4 +1,4 @@
-// When a scene is said to ask for more than single precision resolves, where and in which words.
+// Warnings of scenes that need more than single precision: when, where and in which words.
 #include "support/image_files.h"
 #include "unit/scene_files.h"
 

@@ -38,7 +38,7 @@ TEST(StudyMeasurementTest, ReadsTimesOffItsCurve) {
     EXPECT_NEAR(low.secondsTo(0.2008).value(), 0.1 / (0.2008 * 0.2008 - 0.04), 1e-6);
     EXPECT_FALSE(low.secondsTo(0.2));
     EXPECT_FALSE(low.secondsTo(0.1));
-    // Too few samples to know the floor: nothing is promised beyond what was measured.
+    // Too few samples to find the floor: nothing is promised beyond what was measured.
     Measurement unknown = madeUp("dark", 1.0, 10.0, 0.2);
     unknown.curve.back().stated.reset();
     EXPECT_FALSE(unknown.floor());

@@ -1,6 +1,6 @@
 #version 460
 // Every field of every shared struct, in the order of its declaration: the second element of each
-// array of the scene, then what a dispatch is told and what it writes.
+// array of the scene, then what a dispatch reads and what it writes.
 #extension GL_GOOGLE_include_directive : require
 
 #include "buffers/packed_scene.glsl"
