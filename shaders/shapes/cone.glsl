@@ -11,7 +11,6 @@
 // up at the line's point nearest to the apex, where no ray starts. The mirror nappe never counts:
 // the slab 0 <= y / h <= 1 rejects it in the first case, and the chosen half line excludes it in
 // the second. Slab and surface are intersected as intervals: no ray passes between them at the rim.
-// between side and base at the rim.
 #ifndef CALOTYPE_SHAPES_CONE_GLSL
 #define CALOTYPE_SHAPES_CONE_GLSL
 
