@@ -8,7 +8,7 @@ namespace {
 
 using InfoTest = CliTest;
 
-TEST_F(InfoTest, InfoTellsCountsMemoryAndFeatures) {
+TEST_F(InfoTest, InfoShowsCountsMemoryAndFeatures) {
     const ProgramResult result = runProgram({"info", scene_});
     EXPECT_EQ(result.exitCode, 0) << result.errors;
     for (const char* text : {"2 triangles, 2 quadrics", "lights      1", "bounds      (-3, 0, -3)",

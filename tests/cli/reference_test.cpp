@@ -45,7 +45,7 @@ TEST_F(ReferenceDeviceTest, WritesLayers) {
     EXPECT_GT(hits.at(16, 16).depth, 0.0f);
 }
 
-TEST_F(ReferenceDeviceTest, IsAskedForByTheVariableToo) {
+TEST_F(ReferenceDeviceTest, IsChosenByTheVariableToo) {
     const std::string stats = folder_ / "stats.json";
     const auto deviceOf = [&](const ProgramOptions& options, const std::string& device) {
         std::vector<std::string> arguments = {

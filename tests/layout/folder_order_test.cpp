@@ -85,7 +85,7 @@ TEST(FolderOrderTest, ShadersIncludeOnlyToTheLeft) {
 }
 
 // The reference judges what stands between the scene and it, so it must share nothing of that.
-TEST(FolderOrderTest, ReferenceKnowsTheSceneOnly) {
+TEST(FolderOrderTest, ReferenceUsesTheSceneOnly) {
     const std::set<std::string> allowed = {"base",     "math",  "image",
                                            "settings", "scene", "reference"};
     size_t files = 0;

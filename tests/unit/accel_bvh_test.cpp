@@ -113,7 +113,7 @@ TEST(BuildBvhTest, BySahVisitsLessThanByMedian) {
     EXPECT_LT(visits(BvhBuilder::Sah), 0.8 * visits(BvhBuilder::Median));
 }
 
-TEST(BuildBvhTest, HearsOfProgressAndCanBeEnded) {
+TEST(BuildBvhTest, ReportsProgressAndCanBeEnded) {
     const std::vector<Primitive> primitives = randomBoxes(200'000);
     BuildOptions options;
     double last = 0.0;

@@ -96,7 +96,7 @@ TEST(BumpMapTest, SteepensNormals) {
     EXPECT_EQ(none[2], 1.0);
 }
 
-TEST(BumpMapTest, TellsHeightsFromNormals) {
+TEST(BumpMapTest, SeparatesHeightsFromNormals) {
     EXPECT_TRUE(isGrey(imageOfColor(0.3f, 0.3f, 0.3f)));
     EXPECT_TRUE(isGrey(imageOfColor(0.30f, 0.33f, 0.31f))); // a JPEG's noise
     EXPECT_FALSE(isGrey(imageOfColor(0.5f, 0.5f, 1.0f)));

@@ -218,7 +218,7 @@ TEST_F(FilmFileTest, RefusesChannelsThatMakeNoSense) {
     }
 }
 
-TEST_F(FilmFileTest, TellsFilmsOfOtherOriginApart) {
+TEST_F(FilmFileTest, RefusesFilmsOfOtherOrigin) {
     writeFilm(path_, someLabel(), filmOf(3, 2, {0}));
     const KeptFilm kept = readFilm(path_);
     const auto difference = [&](const FilmLabel& label, double unit = 0.25) {

@@ -87,7 +87,7 @@ TEST(ReadTexelImageTest, KeepsSixteenBits) {
         EXPECT_EQ(image.floats[i], static_cast<float>(expected[i]) / 65535.0f) << i;
 }
 
-TEST(ReadTexelImageTest, TellsWhetherAnythingIsTransparent) {
+TEST(ReadTexelImageTest, FindsWhetherAnythingIsTransparent) {
     EXPECT_FALSE(read(pngOf({1, 2, 3, 255})).isTransparent);
     EXPECT_TRUE(read(pngOf({1, 2, 3, 254})).isTransparent);
 }

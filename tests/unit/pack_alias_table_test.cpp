@@ -70,7 +70,7 @@ TEST(AliasTableTest, NeverChoosesWhatWeighsNothing) {
 }
 
 // A share of 1e-18 cannot be had of numbers of 24 bits: it gets one, and may get one that is left.
-TEST(AliasTableTest, TellsTheChanceOfWhatIsChosenMoreOftenThanItsShare) {
+TEST(AliasTableTest, HasTheChanceOfWhatIsChosenMoreOftenThanItsShare) {
     const std::vector<AliasColumn> columns = buildAliasTable(std::vector<double>{1e-12, 1.0, 1e6});
     EXPECT_GE(columns[0].probability, 0x1p-24);
     EXPECT_LE(columns[0].probability, 0x1p-23);

@@ -79,7 +79,7 @@ TEST(PackSceneTest, EnablesWhatTheSceneHasAndNothingElse) {
 
 // From a quarter of what rays visit on, quadrics are many; where they are alone, it does not
 // matter.
-TEST(PackSceneTest, TellsFewQuadricsFromMany) {
+TEST(PackSceneTest, SeparatesFewQuadricsFromMany) {
     const auto areMany = [](std::vector<Shape> shapes) {
         return packed(std::move(shapes)).features.enabled[shared::kFeatureManyQuadrics];
     };

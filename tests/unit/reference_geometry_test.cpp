@@ -42,7 +42,7 @@ TEST(ReferenceGeometryTest, OfAnEmptySceneIsNeverHit) {
     EXPECT_FALSE(geometry.closest({{0, 0, 0}, {0, 0, -1}}));
 }
 
-TEST(ReferenceGeometryTest, KnowsAreas) {
+TEST(ReferenceGeometryTest, ComputesAreas) {
     constexpr double kPi = std::numbers::pi;
     const Scene scene =
         sceneOf({shapeOf(Sphere{{}, 2.0}), shapeOf(Cylinder{{}, 1.0, 2.0}),

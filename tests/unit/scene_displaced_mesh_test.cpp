@@ -68,7 +68,7 @@ TEST_F(SceneDisplacedMeshTest, InObjectSpace) {
     EXPECT_EQ(mesh.normals.at(t.normal[0]), glm::dvec3(0, -1, 0));
 }
 
-TEST_F(SceneDisplacedMeshTest, IsSmoothUnlessAskedToBeFlat) {
+TEST_F(SceneDisplacedMeshTest, IsSmoothUnlessItIsSetToFlat) {
     EXPECT_NE(read(R"("material": "raised")").triangles.at(0).normal[0], Mesh::kNoNormal);
     const Mesh flat = read(R"("material": "raised", "normals": "flat")");
     EXPECT_EQ(flat.triangles.at(0).normal[0], Mesh::kNoNormal);

@@ -88,7 +88,7 @@ TEST_F(EnergyWarningsTest, OfTexturedMaterialsSayCan) {
         EXPECT_TRUE(warningsOf(material).empty()) << material;
 }
 
-TEST_F(EnergyWarningsTest, KeepSilentOfWhatNothingBears) {
+TEST_F(EnergyWarningsTest, OmitMaterialsThatNoShapeUses) {
     const std::string white = R"({"type": "nonmetal", "color": 1, "roughness": 0})";
     EXPECT_TRUE(warningsOf(white, false).empty());
     EXPECT_EQ(warningsOf(white, true).size(), 1u);

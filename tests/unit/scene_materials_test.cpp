@@ -78,7 +78,7 @@ TEST_F(SceneMaterialsTest, TexturesReplaceColoursAndNumbers) {
     EXPECT_EQ(wood.alphaTexture, kNoTexture); // only the colour's alpha counts
 }
 
-TEST_F(SceneMaterialsTest, TransparentColourTexturesCutHolesUnlessToldNot) {
+TEST_F(SceneMaterialsTest, TransparentColourTexturesCutHolesByDefault) {
     EXPECT_EQ(read(R"({"type": "diffuse", "color": "holes"})").alphaTexture, kHoles);
     EXPECT_EQ(read(R"({"type": "diffuse", "color": "holes", "alpha": true})").alphaTexture, kHoles);
     const Material ignoring = read(R"({"type": "diffuse", "color": "holes", "alpha": false})");

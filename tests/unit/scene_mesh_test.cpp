@@ -87,7 +87,7 @@ TEST_F(SceneMeshTest, MtlGivesColourAndEmission) {
     EXPECT_EQ(scene.warnings.size(), 1u);
 }
 
-TEST_F(SceneMeshTest, OneWarningNamesWhatTheMtlAsksForInVain) {
+TEST_F(SceneMeshTest, OneWarningNamesUnsupportedStatementsOfTheMtl) {
     files_.write("m.obj", kTwoMaterials);
     files_.write("m.mtl",
                  "newmtl leg\nKd 0.1\nmap_Ks oak.png\nrefl 0.5 0.5 0.5\nnewmtl seat\nPc 0.5\n"

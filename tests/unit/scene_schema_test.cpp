@@ -69,7 +69,7 @@ TEST(SceneSchemaTest, EverySceneLoadsWithoutWarnings) {
     }
 }
 
-TEST(SceneSchemaTest, KnowsEveryKeyInTheScenes) {
+TEST(SceneSchemaTest, HasEveryKeyInTheScenes) {
     std::set<std::string> known;
     collectProperties(readJson(kSourceFolder / "scenes" / "scene.schema.json"), known);
     for (const fs::path& path : sceneFiles()) {

@@ -68,7 +68,7 @@ TEST(RotationTest, TakesYToAnyDirection) {
     }
 }
 
-TEST(AffineTransformTest, TellsSingularFromMerelyExtreme) {
+TEST(AffineTransformTest, SeparatesSingularFromExtreme) {
     EXPECT_FALSE(isSingular(glm::dmat3(1e-200)));
     EXPECT_FALSE(isSingular(glm::dmat3(1e200)));
     EXPECT_FALSE(isSingular({1, 0, 0, 0, 1e-30, 0, 0, 0, 1}));

@@ -60,7 +60,7 @@ TEST(SceneValuesTest, OrthographicCamerasHaveAHeight) {
     EXPECT_EQ(cameraOf(R"({"type": "perspective"})").projection, Projection::Perspective);
 }
 
-TEST(SceneValuesTest, LensesFocusOnTheTargetUnlessTold) {
+TEST(SceneValuesTest, LensesFocusOnTheTargetByDefault) {
     // 3, 4 and 12 make 13.
     const std::string at = R"({"position": [1, 1, 1], "target": [4, 5, 13], "lens_radius": 0.1)";
     EXPECT_NEAR(cameraOf(at + "}").focusDistance, 13.0, 13.0 * kRounding);
