@@ -30,8 +30,8 @@ int main(int argc, char** argv) try {
     const double sum = std::accumulate(pixels.begin(), pixels.end(), 0.0);
     std::printf("%u x %u pixels, mean radiance %g W/(m^2 sr)\n", result.width, result.height,
                 sum / static_cast<double>(pixels.size()));
-    if (result.relativeError)
-        std::printf("relative error %.1f %%\n", 100.0 * *result.relativeError);
+    if (result.totals.error)
+        std::printf("relative error %.1f %%\n", 100.0 * result.totals.error->relative);
     return 0;
 } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());

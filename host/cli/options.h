@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "engine/film_keeper.h"
+#include "engine/film_options.h"
 #include "engine/output_options.h"
 #include "film/display_transform.h"
 #include "film/stages.h"
-#include "image/layers.h"
+#include "image/layer.h"
 #include "read/load.h"
 #include "settings/device_options.h"
 #include "settings/settings_table.h"

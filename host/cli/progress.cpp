@@ -51,32 +51,12 @@ void Progress::step(const std::string& what, double done) {
         show(done, what);
 }
 
-double Progress::shareDone(const RenderTotals& totals, double elapsed) const {
-    double done = 0.0;
-    const auto paths = static_cast<double>(totals.paths);
-    if (plan_.samplesPerPixel && *plan_.samplesPerPixel > plan_.samplesBefore)
-        done = paths /
-               static_cast<double>(plan_.pixels * (*plan_.samplesPerPixel - plan_.samplesBefore));
-    if (plan_.seconds)
-        done = std::max(done, elapsed / *plan_.seconds);
-    if (plan_.targetError && totals.error) {
-        // Errors fall with the square root of the samples and are checked at each doubling.
-        const auto now = static_cast<double>(totals.samplesPerPixel);
-        const double needed = now * std::pow(totals.error->relative / *plan_.targetError, 2.0);
-        const double look = std::max(128.0, std::exp2(std::ceil(std::log2(std::max(1.0, needed)))));
-        const auto before = static_cast<double>(plan_.samplesBefore);
-        if (look > before)
-            done = std::max(done, paths / (static_cast<double>(plan_.pixels) * (look - before)));
-    }
-    return std::clamp(done, 0.0, 1.0);
-}
-
 void Progress::rendering(const RenderTotals& totals) {
     if (!isDue())
         return;
     const double elapsed = secondsSince(start_);
     const auto paths = static_cast<double>(totals.paths);
-    const double done = shareDone(totals, elapsed);
+    const double done = shareDone(plan_, totals, elapsed);
     std::string text = std::to_string(totals.samplesPerPixel);
     if (plan_.samplesPerPixel)
         text.append("/").append(std::to_string(*plan_.samplesPerPixel));

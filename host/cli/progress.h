@@ -4,7 +4,7 @@
 #include <string>
 
 #include "engine/render_plan.h"
-#include "render/session.h"
+#include "render/render_totals.h"
 
 namespace calotype {
 
@@ -31,7 +31,6 @@ private:
     /// True if it is time for the next update.
     bool isDue();
     void show(double done, const std::string& text);
-    double shareDone(const RenderTotals& totals, double elapsed) const;
 
     bool quiet_;
     bool terminal_;

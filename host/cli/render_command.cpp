@@ -15,6 +15,7 @@
 #include "cli/read_scene.h"
 #include "cli/render_report.h"
 #include "engine/render_job.h"
+#include "engine/renderer.h"
 #include "engine/scene_settings.h"
 #include "engine/stage_seconds.h"
 #include "settings/limits.h"
@@ -28,18 +29,18 @@ bool limitsSamples(const GivenSettings& given) {
            !(given.has("target_error") || given.has("time"));
 }
 
-RenderJob makeJob(const RenderOptions& options, const Scene& scene) {
+RenderJob makeJob(const RenderOptions& options, const Renderer& renderer) {
     RenderJob job;
-    job.settings = defaultSettings(scene);
+    job.settings = renderer.defaultSettings();
     job.limitsSamples = limitsSamples(options.settings);
     // If the user gave an error or a time, the scene's number of samples must not end the render
     // before.
     if (!job.limitsSamples)
         job.settings.samplesPerPixel = kMostSamplesPerPixel;
     options.settings.applyTo(job.settings);
-    job.device = options.device;
     job.film = options.film;
     job.output = options.output;
+    job.returnsPixels = false;
     return job;
 }
 
@@ -57,46 +58,51 @@ public:
         requireKnownTo(options_.device, given);
         double loadSeconds = 0.0;
         progress_.emplace(options_.quiet);
-        Scene scene = timed(loadSeconds, [&] { return load(); });
+        Renderer renderer(timed(loadSeconds, [&] { return load(); }), options_.device);
         progress_->clear();
-        printWarnings(scene);
-        RenderJob job = makeJob(options_, scene);
+        printWarnings(renderer.scene());
+        RenderJob job = makeJob(options_, renderer);
         job.start = start_;
         job.loadSeconds = loadSeconds;
-        const RenderOutcome outcome = runRenderJob(std::move(scene), job, observer());
+        const RenderResult result = renderer.render(job, callbacks());
         progress_->clear();
-        reportRender(options_, outcome);
-        return outcome.ending == RenderEnding::Stopped ? kExitOther : kExitDone;
+        reportRender(options_, result);
+        return result.ending == RenderEnding::Stopped ? kExitOther : kExitDone;
     }
 
 private:
     Scene load() {
         return readScene(options_.scene, options_.settings,
-                         [&](const std::string& what, double done) { step(what, done); });
+                         [&](const std::string& what, double done) {
+                             throwIfInterrupted();
+                             progress_->step(what, done);
+                         });
     }
 
-    RenderJobObserver observer() {
-        RenderJobObserver observer;
-        observer.onStep = [&](const std::string& what, double done) { step(what, done); };
-        observer.onStart = [&](const RenderPlan& plan) { progress_.emplace(options_.quiet, plan); };
-        observer.onDispatch = [&](const RenderTotals& totals) { progress_->rendering(totals); };
-        observer.shouldStop = isInterrupted;
-        observer.onWarning = [&](const std::string& warning) {
+    RenderCallbacks callbacks() {
+        RenderCallbacks callbacks;
+        callbacks.onProgress = [&](const std::string& what, double done) {
+            if (!isSampling_)
+                progress_->step(what, done);
+        };
+        callbacks.onSamples = [&](const RenderPlan& plan, const RenderTotals& totals) {
+            if (isSampling_)
+                return progress_->rendering(totals);
+            isSampling_ = true;
+            progress_.emplace(options_.quiet, plan);
+        };
+        callbacks.shouldStop = isInterrupted;
+        callbacks.onWarning = [&](const std::string& warning) {
             progress_->clear();
             printWarning(warning);
         };
-        return observer;
-    }
-
-    /// Shows the current step and its share done.
-    void step(const std::string& what, double done) {
-        throwIfInterrupted();
-        progress_->step(what, done);
+        return callbacks;
     }
 
     RenderOptions options_;
     const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     std::optional<Progress> progress_;
+    bool isSampling_ = false;
 };
 
 } // namespace

@@ -5,7 +5,6 @@
 
 #include "base/number_text.h"
 #include "cli/read_scene.h"
-#include "engine/loss_warnings.h"
 
 namespace calotype {
 namespace {
@@ -44,10 +43,10 @@ std::string judgedText(const ErrorEstimate& error, double target) {
 }
 
 /// Warns if the target was not reached.
-void warnOfGoal(const RenderOutcome& outcome) {
-    const auto& target = outcome.plan.targetError;
-    const auto& error = outcome.totals.error;
-    if (target && outcome.ending != RenderEnding::TargetError)
+void warnOfGoal(const RenderResult& result) {
+    const auto& target = result.plan.targetError;
+    const auto& error = result.totals.error;
+    if (target && result.ending != RenderEnding::TargetError)
         printWarning("the error of " + percentText(*target) +
                      " that --target-error sets was not reached" +
                      (error ? judgedText(*error, *target) : ""));
@@ -55,18 +54,16 @@ void warnOfGoal(const RenderOutcome& outcome) {
 
 } // namespace
 
-void reportRender(const RenderOptions& options, const RenderOutcome& outcome) {
-    const RenderTotals& totals = outcome.totals;
-    for (const std::string& warning : lossWarnings(totals.losses, outcome.cutPixels))
-        printWarning(warning);
+void reportRender(const RenderOptions& options, const RenderResult& result) {
+    const RenderTotals& totals = result.totals;
     const std::string samples =
         std::to_string(totals.samplesPerPixel) +
-        (outcome.plan.samplesPerPixel ? " of " + std::to_string(*outcome.plan.samplesPerPixel)
-                                      : std::string()) +
+        (result.plan.samplesPerPixel ? " of " + std::to_string(*result.plan.samplesPerPixel)
+                                     : std::string()) +
         " samples per pixel";
-    if (outcome.ending == RenderEnding::Stopped)
+    if (result.ending == RenderEnding::Stopped)
         return reportInterrupt(options, samples);
-    warnOfGoal(outcome);
+    warnOfGoal(result);
     if (options.quiet)
         return;
     const auto rate = [&](uint64_t count) {

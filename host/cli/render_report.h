@@ -1,11 +1,11 @@
 #pragma once
 
 #include "cli/options.h"
-#include "engine/render_job.h"
+#include "engine/renderer.h"
 
 namespace calotype {
 
-/// Prints on standard error what is wrong with the picture, if anything, and how the render ended.
-void reportRender(const RenderOptions& options, const RenderOutcome& outcome);
+/// Prints on standard error how the render ended, and whether it reached its target error.
+void reportRender(const RenderOptions& options, const RenderResult& result);
 
 } // namespace calotype

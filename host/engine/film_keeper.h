@@ -5,25 +5,12 @@
 #include <optional>
 #include <string>
 
+#include "engine/film_options.h"
 #include "film/film_file.h"
 #include "gpu/device_info.h"
 #include "settings/render_settings.h"
 
 namespace calotype {
-
-/// Films to write and to resume; an empty path means none.
-struct FilmOptions {
-    std::string film;
-    std::string resume;
-    std::optional<double> checkpointSeconds = {}; ///< none: kCheckpointSeconds
-
-    static constexpr double kCheckpointSeconds = 60.0;
-
-    bool keepsFilm() const { return !film.empty() || !resume.empty(); }
-
-    /// The file that the film is written to; empty for none.
-    const std::string& path() const { return film.empty() ? resume : film; }
-};
 
 /// The film file of a render: reads it at the start, and writes checkpoints.
 class FilmKeeper {

@@ -6,7 +6,7 @@
 
 #include "film/display_transform.h"
 #include "film/stages.h"
-#include "image/layers.h"
+#include "image/layer.h"
 
 namespace calotype {
 

@@ -3,17 +3,20 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/error.h"
+#include "engine/render_plan.h"
 #include "read/load.h"
+#include "render/render_totals.h"
 #include "scene/scene.h"
 #include "settings/device_options.h"
 #include "settings/render_settings.h"
 
 namespace calotype {
+
+struct RenderJob;
 
 /// Callbacks of a running render. Each may be empty. They are called on the thread that called
 /// Renderer::render; an exception from one ends the render.
@@ -21,13 +24,16 @@ struct RenderCallbacks {
     /// Called about ten times a second with the current step, such as "building the BVH" or
     /// "rendering", and its share done in [0, 1].
     std::function<void(const std::string& what, double done)> onProgress = {};
+    /// The numbers of the step "rendering": called when sampling starts, and then before each
+    /// onProgress.
+    std::function<void(const RenderPlan& plan, const RenderTotals& totals)> onSamples = {};
     /// Called about ten times a second. If it returns true, the render ends, and the result holds
     /// the samples so far.
     std::function<bool()> shouldStop = {};
+    /// Called with each warning of the render: a complete sentence. The warnings of the scene are
+    /// in Scene::warnings.
+    std::function<void(const std::string& warning)> onWarning = {};
 };
-
-/// Why a render ended.
-enum class RenderEnd : uint8_t { AllSamples, TargetError, Time, Stopped };
 
 /// A rendered picture.
 struct RenderResult {
@@ -36,15 +42,12 @@ struct RenderResult {
     /// 3 * width * height floats: row by row from the top left, red, green and blue of each pixel:
     /// linear radiance with Rec. 709 primaries, W/(m^2 sr). Finite; black if there is no sample.
     std::vector<float> pixels;
-    uint64_t samplesPerPixel = 0; ///< of every pixel; with adaptive sampling the mean
-    RenderEnd end = RenderEnd::AllSamples;
-    double seconds = 0.0; ///< of sampling, wall-clock time
-    /// Relative error of the picture at 95 % confidence, 0.02 for 2 %; none if the samples are too
-    /// few (below 32) or the picture is black.
-    std::optional<double> relativeError;
-    /// False if the error depends on rare bright samples, so that light may be missing.
-    bool isErrorTrusted = false;
-    std::vector<std::string> warnings; ///< about the scene and the samples: complete sentences
+    RenderEnding ending = RenderEnding::AllSamples;
+    RenderPlan plan;
+    /// Samples, rays, seconds and the error, which has no value if the samples are too few (below
+    /// 32) or the picture is black.
+    RenderTotals totals;
+    std::vector<std::string> warnings; ///< of the scene and of the render: complete sentences
 };
 
 /// Renders a scene on a Vulkan device, or with the reference tracer on the CPU.
@@ -73,9 +76,14 @@ public:
 
     /// Renders the picture. The same settings give the same pixels, bit for bit on one device,
     /// unless a time or a stop ends the render. Throws SettingError if a setting is out of its
-    /// range, SceneError if the scene exceeds the range of a device's arithmetic, GpuError if the
-    /// device or its driver fails, and Interrupted if it is stopped before sampling starts.
+    /// range or does not fit the others or the scene, SceneError if the scene exceeds the range of
+    /// a device's arithmetic, GpuError if the device or its driver fails, and Interrupted if it is
+    /// stopped before sampling starts.
     RenderResult render(const RenderSettings& settings, const RenderCallbacks& callbacks = {});
+
+    /// Also reads and writes the files of the job (engine/render_job.h). If an output cannot be
+    /// written, the others still are; then throws OutputError.
+    RenderResult render(const RenderJob& job, const RenderCallbacks& callbacks = {});
 
 private:
     struct State;

@@ -1,10 +1,13 @@
 #include "film/error_estimate.h"
-#include "math/square.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+
+#include "film/adaptive_film.h"
+#include "film/film.h"
+#include "math/square.h"
 
 namespace calotype {
 namespace {

@@ -1,13 +1,15 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
-#include "film/adaptive_film.h"
-#include "film/film.h"
 #include "image/pixel_error.h"
 
 namespace calotype {
+
+class AdaptiveFilm;
+class Film;
 
 /// The distance of a picture from its limit with infinitely many samples: one number, from the
 /// spread of the film's replicas about their mean.

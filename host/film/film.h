@@ -11,6 +11,7 @@
 #include <glm/vec4.hpp>
 
 #include "film/block_ranges.h"
+#include "film/film_losses.h"
 #include "film/fixed_point.h"
 #include "image/image.h"
 #include "shared/limits.h"
@@ -20,18 +21,6 @@ namespace calotype {
 /// The unit of a film's colours: the least power of two at or above the scene's largest emitted
 /// radiance, a finite number >= 0; kept within 2^-126 and 2^127, and 1 for a scene without light.
 double filmUnit(double maxRadiance);
-
-/// Samples of a film that are missing or wrong.
-struct FilmLosses {
-    uint64_t nonFiniteSamples = 0; ///< samples that count as black
-    uint64_t cutPaths = 0;         ///< ended by the loop budget of one dispatch: too dark
-    uint64_t nonFinitePixels = 0;  ///< of blocks: not finite, counted as black
-    uint64_t overflowedPixels = 0; ///< of blocks: too bright, counted as black
-
-    uint64_t lostPixels() const { return nonFinitePixels + overflowedPixels; }
-    FilmLosses& operator+=(const FilmLosses& other);
-    bool operator==(const FilmLosses&) const = default;
-};
 
 /// The samples of a picture so far, summed per pixel and channel in fixed point of 128 bits, 64 of
 /// them below one unit; also the luminance of each replica. So films are bit for bit the same

@@ -6,25 +6,13 @@
 #include <optional>
 #include <vector>
 
-#include "film/error_estimate.h"
-#include "film/film.h"
 #include "image/image.h"
-#include "image/layers.h"
+#include "image/layer.h"
 #include "image/picture.h"
 #include "image/pixel_error.h"
+#include "render/render_totals.h"
 
 namespace calotype {
-
-/// Sums over a session so far.
-struct RenderTotals {
-    uint64_t rays = 0;
-    uint64_t paths = 0;
-    FilmLosses losses;                  ///< of the picture, also those of earlier renders
-    uint64_t samplesPerPixel = 0;       ///< of every pixel; with adaptive sampling the mean
-    double seconds = 0.0;               ///< of sampling alone
-    double firstSampleSeconds = 0.0;    ///< of sampling until every pixel had a sample
-    std::optional<ErrorEstimate> error; ///< of the film's whole blocks, updated from time to time
-};
 
 /// What ends a render before it has all its samples.
 struct RenderGoal {
@@ -42,8 +30,6 @@ struct RenderObserver {
     std::function<void(const RenderTotals&)> onPass; ///< the pixels have all samples of a pass
     std::function<void()> onBlock;                   ///< the film has added a block
 };
-
-enum class RenderEnding : uint8_t { AllSamples, TargetError, Deadline, Stopped };
 
 /// Renders one picture. Derived classes decide which pixels get which samples.
 class Session {

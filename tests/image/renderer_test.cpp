@@ -43,8 +43,8 @@ TEST_F(RendererTest, ReadsPixelsOfASceneMadeInMemory) {
     const RenderResult result = renderer.render(settings, callbacks);
     EXPECT_EQ(result.width, 8u);
     EXPECT_EQ(result.height, 4u);
-    EXPECT_EQ(result.end, RenderEnd::AllSamples);
-    EXPECT_EQ(result.samplesPerPixel, 4u);
+    EXPECT_EQ(result.ending, RenderEnding::AllSamples);
+    EXPECT_EQ(result.totals.samplesPerPixel, 4u);
     EXPECT_EQ(result.pixels, std::vector<float>(3 * 8 * 4, static_cast<float>(kRadiance)));
     ASSERT_FALSE(shares.empty());
     EXPECT_EQ(shares.back(), 1.0);
@@ -68,10 +68,11 @@ TEST_F(RendererTest, GivesThePictureOfASession) {
     ASSERT_EQ(result.pixels.size(), 3u * 32 * 32);
     for (size_t i = 0; i < rendered.image.pixels.size(); ++i) {
         ASSERT_EQ(result.pixels[3 * i], rendered.image.pixels[i].r) << i;
+        ASSERT_EQ(result.pixels[3 * i + 1], rendered.image.pixels[i].g) << i;
         ASSERT_EQ(result.pixels[3 * i + 2], rendered.image.pixels[i].b) << i;
     }
-    ASSERT_TRUE(result.relativeError);
-    EXPECT_GT(*result.relativeError, 0.0);
+    ASSERT_TRUE(result.totals.error);
+    EXPECT_GT(result.totals.error->relative, 0.0);
 }
 
 TEST_F(RendererTest, RendersByTheReferenceTracerToo) {
@@ -93,8 +94,8 @@ TEST_F(RendererTest, StopsWhenItIsTold) {
     };
     callbacks.shouldStop = [&] { return hasRendered; };
     const RenderResult result = renderer.render(settings, callbacks);
-    EXPECT_EQ(result.end, RenderEnd::Stopped);
-    EXPECT_LT(result.samplesPerPixel, settings.samplesPerPixel);
+    EXPECT_EQ(result.ending, RenderEnding::Stopped);
+    EXPECT_LT(result.totals.samplesPerPixel, settings.samplesPerPixel);
     callbacks.shouldStop = [] { return true; };
     EXPECT_THROW(renderer.render(settings, callbacks), Interrupted);
 }

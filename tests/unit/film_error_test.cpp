@@ -1,6 +1,7 @@
 // The error of a film from its replicas' spread, against its formula, against closed forms, and
 // where it has to doubt itself.
 #include "film/error_estimate.h"
+#include "film/film.h"
 
 #include <cmath>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "engine/render_job.h"
+#include "engine/run_job.h"
 
 #include <algorithm>
 #include <exception>
@@ -8,7 +8,9 @@
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/stopwatch.h"
+#include "engine/film_keeper.h"
 #include "engine/film_label.h"
+#include "engine/loss_warnings.h"
 #include "engine/make_session.h"
 #include "engine/picture_writer.h"
 #include "engine/render_engine.h"
@@ -22,10 +24,20 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+std::vector<float> floatsOf(const Image& image) {
+    std::vector<float> floats;
+    floats.reserve(3 * image.pixels.size());
+    for (const glm::vec3& pixel : image.pixels)
+        floats.insert(floats.end(), {pixel.r, pixel.g, pixel.b});
+    return floats;
+}
+
 class JobRun {
 public:
-    JobRun(Scene scene, const RenderJob& job, const RenderJobObserver& observer)
-        : scene_(std::move(scene)), job_(job), observer_(observer), settings_(job.settings) {
+    JobRun(Scene& scene, const DeviceOptions& device, const RenderJob& job,
+           const RenderCallbacks& callbacks)
+        : scene_(scene), device_(device), job_(job), callbacks_(callbacks), settings_(job.settings),
+          start_(job.start.value_or(Clock::now())) {
         seconds_.load = job.loadSeconds;
         // Films always use the same kind of tree, so that parts of one film agree where surfaces
         // coincide.
@@ -33,45 +45,70 @@ public:
             settings_.bvh = settings_.bvh.value_or(BvhBuilder::Sah);
     }
 
-    RenderOutcome run() {
-        requireRenderable(settings_, job_.device);
+    RenderResult run() {
+        requireRenderable(settings_, device_);
         const TextureFilterOverride filters(scene_, settings_.textureFilter);
+        result_.warnings = scene_.warnings;
         FilmKeeper keeper(job_.film, labelOf(scene_, settings_), settings_.crop,
-                          observer_.onWarning);
+                          [&](const std::string& warning) { warn(warning); });
         const bool wantsHits =
             hasSource(neededLayers(job_.output.layers, job_.output.stages), LayerSource::FirstHit);
+        const auto onStep = [&](const std::string& what, double done) { prepare(what, done); };
         const std::unique_ptr<RenderEngine> engine =
-            makeEngine(job_.device, scene_, {settings_, wantsHits, observer_.onStep}, seconds_);
-        if (observer_.shouldStop())
-            throw Interrupted();
+            makeEngine(device_, scene_, {settings_, wantsHits, onStep}, seconds_);
+        throwIfStopped();
         if (settings_.targetError && engine->maxRadiance() == 0.0)
             throw SettingError("target_error", "has nothing to aim at: the scene has no light");
         FirstHitImage hits;
         if (wantsHits)
-            hits = engine->firstHits(
-                [&](double done) { observer_.onStep("finding first hits", done); });
+            hits = engine->firstHits([&](double done) { prepare("finding first hits", done); });
         const PictureWriter writer(job_.output, keeper.label(), std::move(hits));
         const std::unique_ptr<Session> session = begin(*engine, keeper);
-        const double prepared = secondsSince(job_.start);
-        RenderOutcome outcome;
-        outcome.plan = planFor(*session);
-        outcome.ending = render(*session, outcome.plan, keeper, writer);
+        const double prepared = secondsSince(start_);
+        result_.plan = planFor(*session);
+        result_.ending = render(*session, keeper, writer);
         session->error(); // of the final film, for the totals
-        outcome.totals = session->totals();
-        outcome.cutPixels = engine->cutPixels();
-        seconds_.render = outcome.totals.seconds;
-        seconds_.firstSample = prepared + outcome.totals.firstSampleSeconds;
+        result_.totals = session->totals();
+        seconds_.render = result_.totals.seconds;
+        seconds_.firstSample = prepared + result_.totals.firstSampleSeconds;
         writeAll(*session, keeper, writer);
         if (!job_.output.statsFile.empty())
             writeFileAtomically(
                 job_.output.statsFile,
-                toJson({engine->info(), settings_, scene_.hash, outcome.totals, outcome.ending,
+                toJson({engine->info(), settings_, scene_.hash, result_.totals, result_.ending,
                         seconds_, engine->deviceBytes(), engine->tree()}));
+        takePixels(*session);
         engine->finish();
-        return outcome;
+        for (const std::string& warning : lossWarnings(result_.totals.losses, engine->cutPixels()))
+            warn(warning);
+        return std::move(result_);
     }
 
 private:
+    bool isStopped() const { return callbacks_.shouldStop && callbacks_.shouldStop(); }
+
+    void throwIfStopped() const {
+        if (isStopped())
+            throw Interrupted();
+    }
+
+    void report(const std::string& what, double done) const {
+        if (callbacks_.onProgress)
+            callbacks_.onProgress(what, done);
+    }
+
+    /// Reports a step before sampling. A stop there ends the render without a picture.
+    void prepare(const std::string& what, double done) const {
+        throwIfStopped();
+        report(what, done);
+    }
+
+    void warn(const std::string& warning) {
+        result_.warnings.push_back(warning);
+        if (callbacks_.onWarning)
+            callbacks_.onWarning(warning);
+    }
+
     /// Starts with the film of the keeper, if one is written.
     std::unique_ptr<Session> begin(RenderEngine& engine, FilmKeeper& keeper) {
         if (settings_.isAdaptive)
@@ -89,26 +126,30 @@ private:
         plan.samplesBefore = session.totals().samplesPerPixel;
         plan.targetError = settings_.targetError;
         if (settings_.seconds)
-            plan.seconds = std::max(0.0, *settings_.seconds - secondsSince(job_.start));
+            plan.seconds = std::max(0.0, *settings_.seconds - secondsSince(start_));
         if (job_.limitsSamples)
             plan.samplesPerPixel = session.samplesInTheEnd();
         return plan;
     }
 
-    RenderEnding render(Session& session, const RenderPlan& plan, FilmKeeper& keeper,
-                        const PictureWriter& writer) {
+    RenderEnding render(Session& session, FilmKeeper& keeper, const PictureWriter& writer) {
+        const Clock::time_point start = Clock::now();
+        const RenderPlan& plan = result_.plan;
         RenderGoal goal;
-        goal.targetError = settings_.targetError;
+        goal.targetError = plan.targetError;
         if (plan.seconds)
-            goal.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                               std::chrono::duration<double>(*plan.seconds));
-        observer_.onStart(plan);
+            goal.deadline = start + std::chrono::duration_cast<Clock::duration>(
+                                        std::chrono::duration<double>(*plan.seconds));
+        if (callbacks_.onSamples)
+            callbacks_.onSamples(plan, session.totals());
         const PreviewInterval& interval = job_.output.previewInterval;
-        Clock::time_point lastPreview = Clock::now();
+        Clock::time_point lastPreview = start;
         RenderObserver observer;
-        observer.shouldStop = observer_.shouldStop;
+        observer.shouldStop = [&] { return isStopped(); };
         observer.onDispatch = [&](const RenderTotals& totals) {
-            observer_.onDispatch(totals);
+            if (callbacks_.onSamples)
+                callbacks_.onSamples(plan, totals);
+            report("rendering", shareDone(plan, totals, secondsSince(start)));
             if (interval.seconds > 0.0 && secondsSince(lastPreview) >= interval.seconds) {
                 writePreview(writer, session);
                 lastPreview = Clock::now();
@@ -127,11 +168,11 @@ private:
     }
 
     /// A preview that cannot be written does not end the render.
-    void writePreview(const PictureWriter& writer, Session& session) const {
+    void writePreview(const PictureWriter& writer, Session& session) {
         try {
             writer.writePreview(session);
         } catch (const OutputError& error) {
-            observer_.onWarning(error.what());
+            warn(error.what());
         }
     }
 
@@ -151,18 +192,29 @@ private:
         seconds_.write = secondsSince(before);
     }
 
-    Scene scene_;
+    void takePixels(Session& session) {
+        result_.width = settings_.crop.width;
+        result_.height = settings_.crop.height;
+        if (job_.returnsPixels)
+            result_.pixels = floatsOf(session.picture());
+    }
+
+    Scene& scene_;
+    const DeviceOptions& device_;
     const RenderJob& job_;
-    const RenderJobObserver& observer_;
+    const RenderCallbacks& callbacks_;
     RenderSettings settings_;
     StageSeconds seconds_;
+    Clock::time_point start_;
+    RenderResult result_;
     const Film* film_ = nullptr; ///< of the session, if a film may be written
 };
 
 } // namespace
 
-RenderOutcome runRenderJob(Scene scene, const RenderJob& job, const RenderJobObserver& observer) {
-    return JobRun(std::move(scene), job, observer).run();
+RenderResult runJob(Scene& scene, const DeviceOptions& device, const RenderJob& job,
+                    const RenderCallbacks& callbacks) {
+    return JobRun(scene, device, job, callbacks).run();
 }
 
 } // namespace calotype

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace calotype {
+
+/// Films to write and to resume; an empty path means none.
+struct FilmOptions {
+    std::string film;
+    std::string resume;
+    std::optional<double> checkpointSeconds = {}; ///< none: kCheckpointSeconds
+
+    static constexpr double kCheckpointSeconds = 60.0;
+
+    bool keepsFilm() const { return !film.empty() || !resume.empty(); }
+
+    /// The file that the film is written to; empty for none.
+    const std::string& path() const { return film.empty() ? resume : film; }
+};
+
+} // namespace calotype

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "engine/render_job.h"
+#include "engine/renderer.h"
+
+namespace calotype {
+
+/// Renderer::render with a checked scene. All renders of the library and of the program use it.
+RenderResult runJob(Scene& scene, const DeviceOptions& device, const RenderJob& job,
+                    const RenderCallbacks& callbacks);
+
+} // namespace calotype

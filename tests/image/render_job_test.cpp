@@ -1,0 +1,113 @@
+// The library's facade with files: they hold what the pixels in memory do.
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "engine/render_job.h"
+#include "engine/renderer.h"
+#include "image/read_image.h"
+#include "support/gpu_test.h"
+#include "support/render_scene.h"
+#include "support/scene_builder.h"
+#include "support/scratch_folder.h"
+
+namespace calotype::test {
+namespace {
+
+class RenderJobTest : public testing::Test {
+protected:
+    DeviceOptions device_ = [] {
+        DeviceOptions options;
+        options.validates = true;
+        return options;
+    }();
+    ScratchFolder folder_;
+};
+
+RenderJob smallJob(const Renderer& renderer) {
+    RenderJob job;
+    job.settings = renderer.defaultSettings();
+    job.settings.width = job.settings.height = 16;
+    job.settings.crop = {0, 0, 16, 16};
+    job.settings.samplesPerPixel = 32;
+    return job;
+}
+
+std::vector<float> floatsIn(const std::filesystem::path& path) {
+    std::vector<float> floats;
+    for (const glm::vec3& pixel : readImage(path).pixels)
+        floats.insert(floats.end(), {pixel.r, pixel.g, pixel.b});
+    return floats;
+}
+
+TEST_F(RenderJobTest, WritesThePixelsItReturns) {
+    Renderer renderer(projectScene("scenes/cornell-box.json"), device_);
+    RenderJob job = smallJob(renderer);
+    job.output.pictures = {folder_ / "box.exr"};
+    job.output.statsFile = folder_ / "box.json";
+    const RenderResult result = renderer.render(job);
+    EXPECT_EQ(result.pixels.size(), 3u * 16 * 16);
+    EXPECT_EQ(floatsIn(folder_ / "box.exr"), result.pixels);
+    EXPECT_EQ(renderer.render(job.settings).pixels, result.pixels);
+    EXPECT_NE(readBytes(folder_ / "box.json").find("\"spp\": 32"), std::string::npos);
+}
+
+TEST_F(RenderJobTest, GoesOnWithAFilm) {
+    Renderer renderer(projectScene("scenes/cornell-box.json"), device_);
+    RenderJob job = smallJob(renderer);
+    job.settings.bvh = BvhBuilder::Sah;
+    const RenderResult whole = renderer.render(job.settings);
+    job.settings.samplesPerPixel = 16;
+    job.film.film = folder_ / "box.film";
+    job.returnsPixels = false;
+    EXPECT_TRUE(renderer.render(job).pixels.empty());
+    job.film = {};
+    job.film.resume = folder_ / "box.film";
+    job.settings.samplesPerPixel = 32;
+    job.returnsPixels = true;
+    const RenderResult second = renderer.render(job);
+    EXPECT_EQ(second.plan.samplesBefore, 16u);
+    EXPECT_EQ(second.totals.paths, 16u * 16 * 16);
+    EXPECT_EQ(second.pixels, whole.pixels);
+}
+
+TEST_F(RenderJobTest, WarnsWhereItArisesAndInTheResult) {
+    Renderer renderer(projectScene("scenes/cornell-box.json"), device_);
+    RenderJob job = smallJob(renderer);
+    job.film.film = folder_ / "box.film";
+    renderer.render(job);
+    std::vector<std::string> warnings;
+    std::vector<uint64_t> samples;
+    RenderCallbacks callbacks;
+    callbacks.onWarning = [&](const std::string& warning) { warnings.push_back(warning); };
+    callbacks.onSamples = [&](const RenderPlan& plan, const RenderTotals& totals) {
+        EXPECT_EQ(plan.samplesPerPixel, 32u);
+        samples.push_back(totals.samplesPerPixel);
+    };
+    const RenderResult result = renderer.render(job, callbacks);
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_NE(warnings[0].find("is a film already"), std::string::npos) << warnings[0];
+    EXPECT_EQ(result.warnings, warnings);
+    ASSERT_GE(samples.size(), 2u);
+    EXPECT_EQ(samples.front(), 0u);
+    EXPECT_TRUE(std::ranges::is_sorted(samples));
+}
+
+// Whether there are files or not, a goal that cannot be reached is refused.
+TEST_F(RenderJobTest, RefusesAnErrorToReachWithoutLight) {
+    SceneBuilder builder;
+    builder.rectangle({-9, -9, -1}, {18, 0, 0}, {0, 18, 0}, builder.material(0.5, 0.0));
+    Renderer renderer(builder.scene(), device_);
+    RenderJob job = smallJob(renderer);
+    job.settings.targetError = 0.1;
+    job.output.pictures = {folder_ / "dark.exr"};
+    EXPECT_THROW(renderer.render(job), SettingError);
+    EXPECT_THROW(renderer.render(job.settings), SettingError);
+}
+
+} // namespace
+} // namespace calotype::test
