@@ -4,8 +4,8 @@
 
 namespace calotype {
 
-Scene readScene(const SceneOptions& options, const GivenSettings& settings,
-                const std::function<void(const std::string& what, double done)>& onProgress) {
+LoadedScene readScene(const SceneOptions& options, const GivenSettings& settings,
+                      const std::function<void(const std::string& what, double done)>& onProgress) {
     LoadOptions load;
     load.overrides = options.overrides;
     load.missingTextures = options.missingTextures;

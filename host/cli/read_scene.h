@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cli/options.h"
+#include "read/load.h"
 #include "scene/scene.h"
 
 namespace calotype {
@@ -11,8 +12,8 @@ namespace calotype {
 /// The scene that the options name, in the size that the settings give, if any. `onProgress` is
 /// called with a step such as "loading chair.obj", and its share done in [0, 1]; it may throw to
 /// end the reading. Throws SceneError, like loadScene.
-Scene readScene(const SceneOptions& options, const GivenSettings& settings,
-                const std::function<void(const std::string& what, double done)>& onProgress);
+LoadedScene readScene(const SceneOptions& options, const GivenSettings& settings,
+                      const std::function<void(const std::string& what, double done)>& onProgress);
 
 /// Prints on standard error.
 void printWarning(const std::string& warning);

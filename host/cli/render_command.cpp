@@ -71,7 +71,7 @@ public:
     }
 
 private:
-    Scene load() {
+    LoadedScene load() {
         return readScene(options_.scene, options_.settings,
                          [&](const std::string& what, double done) {
                              throwIfInterrupted();

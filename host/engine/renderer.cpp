@@ -1,5 +1,7 @@
 #include "engine/renderer.h"
 
+#include <algorithm>
+#include <string>
 #include <utility>
 
 #include "base/warnings.h"
@@ -10,13 +12,13 @@
 namespace calotype {
 namespace {
 
-/// A scene that was read from a file has a hash, and was already checked.
+/// Adds the warnings that the scene lacks.
 Scene checked(Scene scene) {
-    if (scene.hash == 0) {
-        Warnings warnings;
-        validate(scene, warnings);
-        scene.warnings = warnings.sentences();
-    }
+    Warnings warnings;
+    validate(scene, warnings);
+    for (const std::string& warning : warnings.sentences())
+        if (std::ranges::find(scene.warnings, warning) == scene.warnings.end())
+            scene.warnings.push_back(warning);
     return scene;
 }
 
@@ -27,6 +29,8 @@ struct Renderer::State {
     DeviceOptions device;
 };
 
+Renderer::Renderer(LoadedScene scene, DeviceOptions device)
+    : state_(std::make_unique<State>(State{std::move(scene), std::move(device)})) {}
 Renderer::Renderer(Scene scene, DeviceOptions device)
     : state_(std::make_unique<State>(State{checked(std::move(scene)), std::move(device)})) {}
 Renderer::~Renderer() = default;

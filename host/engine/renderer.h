@@ -62,8 +62,10 @@ struct RenderResult {
 /// time; several objects may be used by several threads. Errors are those of base/error.h.
 class Renderer {
 public:
-    /// `scene` was loaded, or made in memory. A scene made in memory is checked like one from a
-    /// file: throws SceneError. `render` opens the device.
+    /// loadScene has already checked the scene. `render` opens the device.
+    explicit Renderer(LoadedScene scene, DeviceOptions device = {});
+    /// Checks a scene that was made in memory, or changed after loading, like one from a file:
+    /// throws SceneError, and adds the warnings that the scene lacks.
     explicit Renderer(Scene scene, DeviceOptions device = {});
     ~Renderer();
     Renderer(Renderer&&) noexcept;

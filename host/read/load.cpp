@@ -21,7 +21,7 @@ SceneAndNotes readScene(const std::string& path, const LoadOptions& options) {
 
 } // namespace
 
-Scene loadScene(const std::string& path, const LoadOptions& options) {
+LoadedScene loadScene(const std::string& path, const LoadOptions& options) {
     auto [scene, warnings] = readScene(path, options);
     if (options.size) {
         scene.film.width = options.size->width;
@@ -29,7 +29,7 @@ Scene loadScene(const std::string& path, const LoadOptions& options) {
     }
     validate(scene, warnings);
     scene.warnings = warnings.sentences();
-    return std::move(scene);
+    return LoadedScene(std::move(scene));
 }
 
 } // namespace calotype

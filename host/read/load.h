@@ -29,8 +29,22 @@ struct LoadOptions {
     std::function<void(const std::string& what, double done)> onProgress;
 };
 
+/// A scene that loadScene has read and checked. Converts to a Scene, which can be changed.
+class LoadedScene {
+public:
+    const Scene& operator*() const { return scene_; }
+    const Scene* operator->() const { return &scene_; }
+    operator Scene() && { return std::move(scene_); }
+
+private:
+    friend LoadedScene loadScene(const std::string& path, const LoadOptions& options);
+    explicit LoadedScene(Scene&& scene) : scene_(std::move(scene)) {}
+
+    Scene scene_;
+};
+
 /// Reads a scene with the reader for its file's extension (see sceneReaders) and validates it.
 /// Throws SceneError with the place of the first mistake.
-Scene loadScene(const std::string& path, const LoadOptions& options = {});
+LoadedScene loadScene(const std::string& path, const LoadOptions& options = {});
 
 } // namespace calotype

@@ -1,9 +1,17 @@
 // The library's facade: the picture is the program's, and what is wrong is thrown.
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "base/error.h"
 #include "engine/renderer.h"
 #include "support/gpu_test.h"
+#include "support/paths.h"
 #include "support/render_scene.h"
 #include "support/scene_builder.h"
 
@@ -73,6 +81,63 @@ TEST_F(RendererTest, GivesThePictureOfASession) {
     }
     ASSERT_TRUE(result.totals.error);
     EXPECT_GT(result.totals.error->relative, 0.0);
+}
+
+struct Mistake {
+    std::string message; ///< a part of it
+    std::function<void(Scene&)> make;
+};
+
+Mesh& firstMesh(Scene& scene) {
+    for (Shape& shape : scene.shapes)
+        if (auto* mesh = std::get_if<Mesh>(&shape.geometry))
+            return *mesh;
+    throw std::logic_error("the scene has no mesh");
+}
+
+// A scene that was correct when it was loaded may have been changed.
+TEST_F(RendererTest, ChecksWhateverCanHaveBeenChanged) {
+    const std::vector<Mistake> mistakes = {
+        {"uses material 99", [](Scene& s) { firstMesh(s).triangles[0].material = 99; }},
+        {"uses material 99",
+         [](Scene& s) {
+             s.shapes.push_back({Sphere{}, 99, ""});
+         }},
+        {"names texture 7", [](Scene& s) { s.materials[0].colorTexture = 7; }},
+        {"has no triangles", [](Scene& s) { firstMesh(s).triangles.clear(); }},
+        {"a vertex that does not exist",
+         [](Scene& s) { firstMesh(s).triangles[0].position[1] = 1u << 20; }},
+        {"has a position that is not finite", [](Scene& s) { firstMesh(s).positions[0].y = NAN; }},
+    };
+    const Scene loaded = loadScene(std::string(kProjectFolder) + "/scenes/cornell-box.json");
+    EXPECT_NE(loaded.hash, 0u);
+    for (Scene scene : {loaded, brightWall()})
+        for (const Mistake& mistake : mistakes) {
+            Scene wrong = scene;
+            mistake.make(wrong);
+            try {
+                const Renderer renderer(std::move(wrong), device_);
+                ADD_FAILURE() << mistake.message;
+            } catch (const SceneError& error) {
+                EXPECT_NE(std::string(error.what()).find(mistake.message), std::string::npos)
+                    << error.what();
+            }
+        }
+}
+
+TEST_F(RendererTest, WarnsOnceOfWhatIsNotWrong) {
+    const auto load = [] {
+        LoadOptions options;
+        options.overrides = {{"/lights", "[]"}};
+        return loadScene(std::string(kProjectFolder) + "/scenes/cornell-box.json", options);
+    };
+    const std::vector<std::string> warnings = load()->warnings;
+    ASSERT_EQ(warnings.size(), 1u); // that nothing emits light
+    EXPECT_EQ(Renderer(load()).scene().warnings, warnings);
+    Scene scene = load();
+    EXPECT_EQ(Renderer(scene).scene().warnings, warnings);
+    scene.warnings.clear();
+    EXPECT_EQ(Renderer(scene).scene().warnings, warnings);
 }
 
 TEST_F(RendererTest, RendersByTheReferenceTracerToo) {

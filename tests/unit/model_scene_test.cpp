@@ -139,7 +139,7 @@ TEST_F(ModelSceneTest, UndefinedMaterialsAreGreyWithAWarning) {
 
 TEST_F(ModelSceneTest, IsChosenByTheExtensionInAnyCase) {
     const std::string box = boxObj({0, 0, 0}, {1, 1, 1});
-    EXPECT_EQ(loadScene(files_.write("M.OBJ", box)).shapes.size(), 4u);
+    EXPECT_EQ(loadScene(files_.write("M.OBJ", box))->shapes.size(), 4u);
     EXPECT_THROW(loadScene(files_.write("m.obj.json", box)), SceneError);
 }
 

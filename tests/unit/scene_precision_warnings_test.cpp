@@ -64,7 +64,7 @@ TEST_F(PrecisionWarningsTest, OfAModelFilesTexturesInOneSentence) {
                                                     "vt 0 0\nvt 1e6 0\nvt 0 1\n"
                                                     "usemtl a\nf 1/1 2/2 3/3\n"
                                                     "usemtl b\nf 1/1 2/2 3/3\n");
-    const auto warnings = ofPrecision(loadScene(model).warnings);
+    const auto warnings = ofPrecision(loadScene(model)->warnings);
     ASSERT_EQ(warnings.size(), 1u);
     EXPECT_NE(warnings[0].find("read up to 6e+06 texels"), std::string::npos) << warnings[0];
 }
