@@ -5,6 +5,8 @@
 
 #include "base/error.h"
 #include "cli/output_claims.h"
+#include "engine/render_job.h"
+#include "engine/scene_settings.h"
 #include "film/develop.h"
 #include "image/image_format.h"
 
@@ -25,18 +27,18 @@ void checkOutputs(const RenderOptions& options) {
     claims.reserve(options.scene.path);
     const FilmOptions& film = options.film;
     const OutputOptions& output = options.output;
-    const bool adapts = options.settings.has("adaptive");
     if (!film.film.empty() && film.resume != film.film) // else it is claimed below as output
         claims.reserve(film.resume);
-    if (adapts && options.settings.has("samples"))
-        throw UsageError("--adaptive decides on the samples of each pixel itself; leave out "
-                         "--samples, or --adaptive");
-    if (adapts && film.keepsFilm())
-        throw UsageError("films have as many samples in every pixel, and --adaptive has not; "
-                         "leave out one of them");
+    if (options.settings.has("adaptive") && options.settings.has("samples"))
+        throwSamplesOfAdaptive();
     if (output.pictures.empty() && !film.keepsFilm())
         throw UsageError(
             "there is nothing to write; name a picture with -o, or a film with --film");
+    RenderJob job;
+    options.settings.applyTo(job.settings);
+    job.film = film;
+    job.output = output;
+    requireConsistent(job);
     for (const std::string& path : output.pictures)
         claims.claimPicture(path);
     requireExrFor(output.layers, output.pictures);
@@ -46,10 +48,6 @@ void checkOutputs(const RenderOptions& options) {
         claims.claimFilm(film.path());
     if (!output.statsFile.empty())
         claims.claim(output.statsFile);
-    const PreviewInterval& preview = output.previewInterval;
-    if (output.pictures.empty() && output.previewFile.empty() &&
-        (preview.samples > 0 || preview.seconds > 0.0))
-        throw UsageError("--preview-every has no picture to write; name one with --preview-file");
     if (!output.previewFile.empty() &&
         (output.pictures.empty() || output.previewFile != output.pictures.front()))
         claims.claimPicture(output.previewFile);

@@ -47,6 +47,7 @@ public:
 
     RenderResult run() {
         requireRenderable(settings_, device_);
+        requireConsistent(job_);
         const TextureFilterOverride filters(scene_, settings_.textureFilter);
         result_.warnings = scene_.warnings;
         FilmKeeper keeper(job_.film, labelOf(scene_, settings_), settings_.crop,
@@ -204,8 +205,8 @@ private:
     const RenderJob& job_;
     const RenderCallbacks& callbacks_;
     RenderSettings settings_;
-    StageSeconds seconds_;
     Clock::time_point start_;
+    StageSeconds seconds_;
     RenderResult result_;
     const Film* film_ = nullptr; ///< of the session, if a film may be written
 };

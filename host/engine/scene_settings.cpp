@@ -49,6 +49,11 @@ void requireKnownTo(const DeviceOptions& device, const RenderSettings& settings)
                            "all is known to the reference tracer only (--device reference)");
 }
 
+void throwSamplesOfAdaptive() {
+    throw SettingError("adaptive", "decides on the samples of each pixel itself; leave out "
+                                   "--samples, or --adaptive");
+}
+
 void requireRenderable(const RenderSettings& settings, const DeviceOptions& device) {
     requireWithin("size", settings.width, 1, kLargestPictureSide);
     requireWithin("size", settings.height, 1, kLargestPictureSide);
@@ -64,9 +69,22 @@ void requireRenderable(const RenderSettings& settings, const DeviceOptions& devi
         throw SettingError("clamp_indirect", "is not above 0");
     if (settings.targetError && !(*settings.targetError > 0.0 && *settings.targetError < 1.0))
         throw SettingError("target_error", "is not between 0 and 1");
-    if (settings.seconds && !(*settings.seconds > 0.0))
-        throw SettingError("time", "is not above 0");
+    if (settings.seconds && !(*settings.seconds > 0.0 && *settings.seconds <= kMostSeconds))
+        throw SettingError("time", "is not above 0, or is above 1e9 seconds");
+    if (settings.isAdaptive && settings.firstSample != 0)
+        throwSamplesOfAdaptive();
     requireKnownTo(device, settings);
+}
+
+void requireConsistent(const RenderJob& job) {
+    const OutputOptions& output = job.output;
+    const PreviewInterval& preview = output.previewInterval;
+    if (job.settings.isAdaptive && job.film.keepsFilm())
+        throw UsageError("films have as many samples in every pixel, and --adaptive has not; "
+                         "leave out one of them");
+    if (output.pictures.empty() && output.previewFile.empty() &&
+        (preview.samples > 0 || preview.seconds > 0.0))
+        throw UsageError("--preview-every has no picture to write; name one with --preview-file");
 }
 
 TextureFilterOverride::TextureFilterOverride(Scene& scene,

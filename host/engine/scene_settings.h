@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/render_job.h"
 #include "scene/scene.h"
 #include "settings/device_options.h"
 #include "settings/render_settings.h"
@@ -16,8 +17,14 @@ RenderSettings defaultSettings(const Scene& scene);
 /// Throws SettingError if the device does not support a setting, for any scene.
 void requireKnownTo(const DeviceOptions& device, const RenderSettings& settings);
 
+/// Throws SettingError: an adaptive render cannot be given a range of samples.
+[[noreturn]] void throwSamplesOfAdaptive();
+
 /// Throws SettingError if a setting is out of its range, or does not fit the others or the device.
 void requireRenderable(const RenderSettings& settings, const DeviceOptions& device);
+
+/// Throws UsageError if the files of a job do not fit its settings or each other.
+void requireConsistent(const RenderJob& job);
 
 /// Sets one filter for all textures of a scene, if one is given; the destructor restores them.
 class TextureFilterOverride {

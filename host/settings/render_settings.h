@@ -24,11 +24,12 @@ struct RenderSettings {
     TransportSettings transport = {};
     std::optional<TextureFilter> textureFilter = {}; ///< of all textures; none: each its own
     std::optional<BvhBuilder> bvh = {};              ///< none: the quickest for the samples
-    bool isAdaptive = false;                         ///< pixels with more error get more samples
+    /// Pixels with more error get more samples; firstSample must be 0.
+    bool isAdaptive = false;
     bool compilesEverything = false; ///< the kernel with all features, not only those of the scene
     /// The render ends when ErrorEstimate::upperBound is at most this, in (0, 1).
     std::optional<double> targetError = {};
-    std::optional<double> seconds = {}; ///< the render ends after this time, above 0
+    std::optional<double> seconds = {}; ///< the render ends then; above 0, up to kMostSeconds
 };
 
 } // namespace calotype

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "settings/limits.h"
+
 namespace calotype {
 
 std::optional<std::vector<uint32_t>> parseList(std::string_view text, char separator,
@@ -24,7 +26,6 @@ std::optional<std::vector<uint32_t>> parseList(std::string_view text, char separ
 
 std::optional<double> parseSeconds(std::string_view text) {
     constexpr std::pair<char, double> kUnits[] = {{'s', 1.0}, {'m', 60.0}, {'h', 3600.0}};
-    constexpr double kLongest = 1e9;
     double unit = 1.0;
     for (const auto& [letter, seconds] : kUnits)
         if (text.ends_with(letter)) {
@@ -33,7 +34,7 @@ std::optional<double> parseSeconds(std::string_view text) {
             break;
         }
     const double seconds = parseNumber<double>(text).value_or(0.0) * unit;
-    return seconds > 0.0 && seconds <= kLongest ? std::optional(seconds) : std::nullopt;
+    return seconds > 0.0 && seconds <= kMostSeconds ? std::optional(seconds) : std::nullopt;
 }
 
 } // namespace calotype

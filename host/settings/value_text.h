@@ -23,7 +23,7 @@ std::optional<T> parseNumber(std::string_view text) {
 std::optional<std::vector<uint32_t>> parseList(std::string_view text, char separator, size_t count);
 
 /// Seconds in "30s", "1.5m", "2h" or a bare number of seconds; nothing unless above 0 and at most
-/// 1e9, about thirty years.
+/// kMostSeconds.
 std::optional<double> parseSeconds(std::string_view text);
 
 } // namespace calotype

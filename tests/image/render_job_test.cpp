@@ -10,6 +10,7 @@
 #include "engine/render_job.h"
 #include "engine/renderer.h"
 #include "image/read_image.h"
+#include "settings/limits.h"
 #include "support/gpu_test.h"
 #include "support/render_scene.h"
 #include "support/scene_builder.h"
@@ -107,6 +108,31 @@ TEST_F(RenderJobTest, RefusesAnErrorToReachWithoutLight) {
     job.output.pictures = {folder_ / "dark.exr"};
     EXPECT_THROW(renderer.render(job), SettingError);
     EXPECT_THROW(renderer.render(job.settings), SettingError);
+}
+
+TEST_F(RenderJobTest, RefusesFilesThatDoNotGoTogether) {
+    Renderer renderer(projectScene("scenes/cornell-box.json"), device_);
+    RenderJob job = smallJob(renderer);
+    job.settings.isAdaptive = true;
+    job.film.film = folder_ / "box.film";
+    EXPECT_THROW(renderer.render(job), UsageError);
+    job.film = {};
+    job.film.resume = folder_ / "box.film";
+    EXPECT_THROW(renderer.render(job), UsageError);
+    job = smallJob(renderer);
+    job.output.previewInterval.samples = 16;
+    EXPECT_THROW(renderer.render(job), UsageError);
+    job.output.previewInterval = {0, 1.0};
+    EXPECT_THROW(renderer.render(job), UsageError);
+    EXPECT_EQ(folder_.entries(), 0u);
+}
+
+// A time that is as long as can be asked for is not over at once.
+TEST_F(RenderJobTest, RendersForAsLongAsItMay) {
+    Renderer renderer(projectScene("scenes/cornell-box.json"), device_);
+    RenderSettings settings = smallJob(renderer).settings;
+    settings.seconds = kMostSeconds;
+    EXPECT_EQ(renderer.render(settings).ending, RenderEnding::AllSamples);
 }
 
 } // namespace

@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "engine/renderer.h"
+#include "settings/limits.h"
 #include "support/gpu_test.h"
 #include "support/paths.h"
 #include "support/render_scene.h"
@@ -182,10 +183,18 @@ TEST_F(RendererTest, ThrowsForSettingsThatMakeNoSense) {
     expectError("crop", [](RenderSettings& s) { s.crop = {}; });
     expectError("spp", [](RenderSettings& s) { s.samplesPerPixel = 0; });
     expectError("samples", [](RenderSettings& s) { s.firstSample = 8; });
+    expectError("spp", [](RenderSettings& s) { s.samplesPerPixel = kMostSamplesPerPixel + 1; });
+    expectError("spp", [](RenderSettings& s) { s.samplesPerPixel = ~0u; });
+    expectError("samples", [](RenderSettings& s) { s.firstSample = kMostSamplesPerPixel; });
+    expectError("adaptive", [](RenderSettings& s) {
+        s.isAdaptive = true;
+        s.firstSample = 16;
+    });
     expectError("max_bounces", [](RenderSettings& s) { s.maxBounces = 1u << 21; });
     expectError("clamp_indirect", [](RenderSettings& s) { s.transport.indirectClamp = 0.0f; });
     expectError("target_error", [](RenderSettings& s) { s.targetError = 1.5; });
-    expectError("time", [](RenderSettings& s) { s.seconds = -1.0; });
+    for (const double seconds : {-1.0, 0.0, 1.1e9, 1e300, double(INFINITY), double(NAN)})
+        expectError("time", [&](RenderSettings& s) { s.seconds = seconds; });
     expectError("light_choice",
                 [](RenderSettings& s) { s.transport.lightChoice = LightChoice::All; });
     DeviceOptions unknown;
