@@ -221,7 +221,9 @@ TEST_F(FilmTest, KeepsCropsAndTheReference) {
                   0);
         expectSameFilm(folder_ / "m.film", whole);
         const std::string exr = folder_ / (name + ".exr");
-        ASSERT_EQ(runProgram(render(with({"--spp", "48", "-o", exr, "--aov", "error"}))).exitCode,
+        ASSERT_EQ(runProgram(render(with({"--spp", "48", "-o", exr, "--aov", "error", "--bvh",
+                                          "sah"}))) // as films always have it
+                      .exitCode,
                   0);
         // All of the file but the time that it took.
         std::string merged = readText(folder_ / "m.exr");

@@ -65,7 +65,7 @@ TEST_F(RenderTest, ExrSaysHowItWasMade) {
     const Imf::InputFile file(exr.c_str());
     const Imf::Header& header = file.header();
     const std::map<std::string, std::string> expected = {{"spp", "3"},
-                                                         {"seed", "4e9"},
+                                                         {"seed", "4e+09"},
                                                          {"sampler", "independent"},
                                                          {"mis", "off"},
                                                          {"clamp_indirect", "2.5"},
