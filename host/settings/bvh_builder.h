@@ -10,7 +10,7 @@ enum class BvhBuilder : uint8_t {
     Sah,    ///< by the surface area heuristic; quick to traverse
 };
 
-/// "median" or "sah", as --bvh takes it.
+/// The name in options.
 constexpr const char* nameOf(BvhBuilder builder) {
     return builder == BvhBuilder::Median ? "median" : "sah";
 }

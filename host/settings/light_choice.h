@@ -12,7 +12,7 @@ enum class LightChoice : uint8_t {
 };
 
 /// The name in options.
-inline const char* nameOf(LightChoice choice) {
+constexpr const char* nameOf(LightChoice choice) {
     switch (choice) {
     case LightChoice::Uniform:
         return "uniform";

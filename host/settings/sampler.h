@@ -11,7 +11,7 @@ enum class Sampler : uint8_t {
 };
 
 /// The name in options.
-inline const char* nameOf(Sampler sampler) {
+constexpr const char* nameOf(Sampler sampler) {
     return sampler == Sampler::Sobol ? "sobol" : "independent";
 }
 

@@ -78,7 +78,16 @@ template <typename T>
 struct Named {
     const char* name;
     T value;
+
+    /// Also of the same value where there may be none.
+    constexpr operator Named<std::optional<T>>() const { return {name, value}; }
 };
+
+/// The value of an enum, with the name that its own header gives it.
+template <typename T>
+constexpr Named<T> named(T value) {
+    return {nameOf(value), value};
+}
 
 /// One of several names.
 template <typename T, size_t kCount, typename Field>

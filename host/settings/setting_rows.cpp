@@ -158,8 +158,8 @@ void addSampling(std::vector<Setting>& rows) {
               .expected = {},
               .group = SettingGroup::Sampling},
              [](auto& settings) -> auto& { return settings.isAdaptive; }));
-    static constexpr Named<Sampler> kSamplers[] = {{"independent", Sampler::Independent},
-                                                   {"sobol", Sampler::Sobol}};
+    static constexpr Named<Sampler> kSamplers[] = {named(Sampler::Independent),
+                                                   named(Sampler::Sobol)};
     rows.push_back(
         choice({.name = "sampler",
                 .help = "How random numbers are drawn: each for itself (independent), or in pairs "
@@ -176,7 +176,7 @@ void addSampling(std::vector<Setting>& rows) {
                                0, std::numeric_limits<uint32_t>::max(),
                                [](auto& settings) -> auto& { return settings.seed; }));
     static constexpr Named<std::optional<BvhBuilder>> kBuilders[] = {
-        {"auto", std::nullopt}, {"median", BvhBuilder::Median}, {"sah", BvhBuilder::Sah}};
+        {"auto", std::nullopt}, named(BvhBuilder::Median), named(BvhBuilder::Sah)};
     rows.push_back(choice(
         {.name = "bvh",
          .help = "How the BVH is built: median (quick to build), sah (quick to traverse), or auto, "
@@ -241,9 +241,8 @@ void addLight(std::vector<Setting>& rows) {
                  const TransportSettings& transport = settings.transport;
                  return transport.clampsIndirect() ? Json(transport.indirectClamp) : Json(nullptr);
              }});
-    static constexpr Named<LightChoice> kLightChoices[] = {{"power", LightChoice::Power},
-                                                           {"uniform", LightChoice::Uniform},
-                                                           {"all", LightChoice::All}};
+    static constexpr Named<LightChoice> kLightChoices[] = {
+        named(LightChoice::Power), named(LightChoice::Uniform), named(LightChoice::All)};
     rows.push_back(choice(
         {.name = "light_choice",
          .help = "Which light is sampled at each event: one by its power (default), one at random, "
@@ -252,9 +251,7 @@ void addLight(std::vector<Setting>& rows) {
          .changesSamples = true},
         kLightChoices, [](auto& settings) -> auto& { return settings.transport.lightChoice; }));
     static constexpr Named<std::optional<TextureFilter>> kFilters[] = {
-        {"scene", std::nullopt},
-        {"bilinear", TextureFilter::Bilinear},
-        {"nearest", TextureFilter::Nearest}};
+        {"scene", std::nullopt}, named(TextureFilter::Bilinear), named(TextureFilter::Nearest)};
     rows.push_back(choice({.name = "texture_filter",
                            .help = "Filter of all textures (default: as the scene says)",
                            .group = SettingGroup::Light,

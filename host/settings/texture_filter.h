@@ -8,7 +8,7 @@ namespace calotype {
 enum class TextureFilter : uint8_t { Bilinear, Nearest };
 
 /// The name in options.
-inline const char* nameOf(TextureFilter filter) {
+constexpr const char* nameOf(TextureFilter filter) {
     return filter == TextureFilter::Nearest ? "nearest" : "bilinear";
 }
 
