@@ -42,8 +42,8 @@ BenchReport measure(const BenchScene& benchScene, const BenchOptions& options,
     double loadSeconds = 0.0;
     const Scene scene = timed(loadSeconds, benchScene.load);
     RenderSettings settings = defaultSettings(scene);
+    settings.samplesPerPixel = kBenchSamples;
     options.settings.applyTo(settings);
-    settings.samplesPerPixel = options.samplesPerPixel;
     return measureScene(scene, settings, options.repeats, device, loadSeconds, isInterrupted);
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/number_text.h"
 #include "engine/statistics.h"
+#include "settings/settings_table.h"
 
 namespace calotype {
 namespace {
@@ -61,12 +62,10 @@ std::string toJsonLine(const std::string& scene, const BenchReport& report, uint
     json["driver"] = report.device.driver;
     json["threads"] = threads;
     json["primitives"] = report.primitives;
-    json["resolution"] = {report.settings.width, report.settings.height};
-    json["spp"] = report.settings.samplesPerPixel;
-    json["max_bounces"] = report.settings.maxBounces;
-    json["sampler"] = nameOf(report.settings.sampler);
+    for (const Setting& setting : settingsTable())
+        if (setting.changesSamples || (setting.commands & kBenchCommand))
+            json[setting.name] = setting.value(report.settings);
     json["repeats"] = report.repeats;
-    json["everything_compiled"] = report.settings.compilesEverything;
     json["paths_per_second"] = toJson(report.pathsPerSecond);
     json["rays_per_second"] = toJson(report.raysPerSecond);
     for (const TraversalRate& rate : report.traversal)

@@ -15,7 +15,7 @@
 #include "cli/exit_code.h"
 #include "cli/markdown_help.h"
 #include "cli/parse_values.h"
-#include "settings/limits.h"
+#include "engine/bench.h"
 
 namespace calotype {
 namespace {
@@ -143,10 +143,6 @@ CLI::App& addBenchCommand(CLI::App& app, BenchOptions& options) {
                     "Scene files (default: two generated scenes of 786,000 triangles)")
         ->type_name("SCENE");
     addOverrides(command, options.overrides);
-    command.add_option("--spp", options.samplesPerPixel, "Samples per pixel of a repeat")
-        ->check(CLI::Range(1u, kMostSamplesPerPixel))
-        ->capture_default_str()
-        ->type_name("N");
     command.add_option("--repeats", options.repeats, "Repeats of each measurement")
         ->check(CLI::Range(1u, 1000u))
         ->capture_default_str()
@@ -154,6 +150,8 @@ CLI::App& addBenchCommand(CLI::App& app, BenchOptions& options) {
     command.add_option("--json", options.jsonFile, "Write a line of JSON a scene")
         ->type_name("FILE");
     addSettings(command, kBenchCommand, options.settings);
+    command.get_option("--spp")->description(
+        "Samples per pixel of a repeat (default: " + std::to_string(kBenchSamples) + ")");
     addDeviceOptions(command, options.device);
     command.footer(
         "Rates are medians of the repeats, after one that is not counted, with the "

@@ -69,7 +69,6 @@ struct BenchOptions {
     std::vector<SceneOverride> overrides;
     DeviceOptions device;
     GivenSettings settings;
-    uint32_t samplesPerPixel = 4; ///< of each repeat
     uint32_t repeats = 5;
     std::string jsonFile; ///< empty: none
 };

@@ -14,6 +14,9 @@
 
 namespace calotype {
 
+/// Samples per pixel of a repeat, if none are given.
+inline constexpr uint32_t kBenchSamples = 4;
+
 /// Statistics of repeated measurements.
 struct Spread {
     double median = 0.0;

@@ -79,6 +79,7 @@ void addEnd(std::vector<Setting>& rows) {
     rows.push_back(wholeNumber({.name = "spp",
                                 .help = "Samples per pixel (default: the scene's)",
                                 .group = SettingGroup::End,
+                                .commands = kRenderCommand | kBenchCommand,
                                 .isOfScene = true},
                                1, kMostSamplesPerPixel,
                                [](auto& settings) -> auto& { return settings.samplesPerPixel; }));

@@ -12,8 +12,9 @@ using BenchTest = CliTest;
 
 TEST_F(BenchTest, MeasuresEachSceneAndWritesALineOfJson) {
     const std::string file = folder_ / "bench.json";
-    const ProgramResult result = runProgram({"bench", scene_, scene_, "--repeats", "3", "--spp",
-                                             "1", "--json", file, "--threads", "1"});
+    const ProgramResult result =
+        runProgram({"bench", scene_, scene_, "--repeats", "3", "--spp", "1", "--sampler",
+                    "independent", "--json", file, "--threads", "1"});
     ASSERT_EQ(result.exitCode, 0) << result.errors;
     for (const char* text :
          {"paths/s", "rays/s", "first sample", "primary rays", "shadow rays", "memory"})
@@ -26,6 +27,9 @@ TEST_F(BenchTest, MeasuresEachSceneAndWritesALineOfJson) {
         EXPECT_EQ(json.at("scene"), scene_);
         EXPECT_EQ(json.at("primitives"), 4);
         EXPECT_EQ(json.at("repeats"), 3);
+        EXPECT_EQ(json.at("spp"), 1);
+        EXPECT_EQ(json.at("sampler"), "independent");
+        EXPECT_EQ(json.at("size"), nlohmann::json({32, 24}));
         EXPECT_EQ(json.at("threads"), 1);
         for (const auto& rate : {json.at("paths_per_second"), json.at("rays_per_second"),
                                  json.at("traversal_rays_per_second").at("primary")}) {
@@ -44,6 +48,7 @@ TEST_F(BenchTest, MeasuresEachSceneAndWritesALineOfJson) {
 
 TEST_F(BenchTest, MistakesAreUsageErrors) {
     EXPECT_EQ(runProgram({"bench", scene_, "--repeats", "0"}).exitCode, 2);
+    EXPECT_EQ(runProgram({"bench", scene_, "--spp", "0"}).exitCode, 2);
     EXPECT_EQ(runProgram({"bench", folder_ / "none.json"}).exitCode, 3);
     EXPECT_EQ(runProgram({"bench", scene_, "--json", folder_ / "none/bench.json"}).exitCode, 1);
 }
