@@ -7,7 +7,8 @@
 namespace calotype {
 
 DeviceSession::DeviceSession(const DeviceOptions& options)
-    : instance_(options.validates), device_(instance_, options.device, options.askedBy) {}
+    : instance_(options.validates),
+      device_(instance_, options.device, options.askedBy, options.cacheFolder) {}
 
 void DeviceSession::throwOnValidationMessages() const {
     const auto messages = instance_.validationMessages();

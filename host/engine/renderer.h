@@ -57,8 +57,8 @@ struct RenderResult {
 ///     settings.samplesPerPixel = 64;
 ///     const calotype::RenderResult result = renderer.render(settings);
 ///
-/// Prints nothing, and changes nothing in the process; compiled kernels are cached in
-/// $XDG_CACHE_HOME/calotype, or else ~/.cache/calotype. One object must be used by one thread at a
+/// Prints nothing, and changes nothing in the process; compiled kernels are stored in
+/// DeviceOptions::cacheFolder. One object must be used by one thread at a
 /// time; several objects may be used by several threads. Errors are those of base/error.h.
 class Renderer {
 public:

@@ -15,7 +15,8 @@ uint32_t computeFamily(const vk::raii::PhysicalDevice& physicalDevice) {
 
 } // namespace
 
-Device::Device(const Instance& instance, std::string_view wish, std::string_view askedBy) {
+Device::Device(const Instance& instance, std::string_view wish, std::string_view askedBy,
+               const std::filesystem::path& cacheFolder) {
     const auto devices = listDevices(instance);
     choice_ = chooseDevice(devices, wish, askedBy);
     info_ = devices[choice_.index];
@@ -29,7 +30,8 @@ Device::Device(const Instance& instance, std::string_view wish, std::string_view
         const vk::DeviceQueueCreateInfo queueInfo({}, family, 1, &priority);
         device_ = physicalDevice.createDevice(vk::DeviceCreateInfo({}, queueInfo));
         namesObjects_ = device_.getDispatcher()->vkSetDebugUtilsObjectNameEXT != nullptr;
-        pipelineCache_ = std::make_unique<PipelineCache>(physicalDevice.getProperties(), device_);
+        pipelineCache_ =
+            std::make_unique<PipelineCache>(physicalDevice.getProperties(), device_, cacheFolder);
         queue_ = device_.getQueue(family, 0);
         commandPool_ =
             device_.createCommandPool({vk::CommandPoolCreateFlagBits::eResetCommandBuffer, family});

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -15,8 +16,10 @@ namespace calotype {
 /// A logical device with one compute queue, used by one thread at a time.
 class Device {
 public:
-    /// Throws GpuError like chooseDevice, or if the driver fails.
-    Device(const Instance& instance, std::string_view wish, std::string_view askedBy = "");
+    /// `cacheFolder` is that of PipelineCache. Throws GpuError like chooseDevice, or if the driver
+    /// fails.
+    Device(const Instance& instance, std::string_view wish, std::string_view askedBy = "",
+           const std::filesystem::path& cacheFolder = {});
 
     const vk::raii::Device& handle() const { return device_; }
     const DeviceInfo& info() const { return info_; }

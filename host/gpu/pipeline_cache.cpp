@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Empty if the environment names none.
-fs::path cacheFolder() {
+fs::path defaultFolder() {
     if (const char* folder = std::getenv("XDG_CACHE_HOME"); folder && *folder)
         return fs::path(folder) / "calotype";
     if (const char* home = std::getenv("HOME"); home && *home)
@@ -29,8 +29,7 @@ fs::path cacheFolder() {
 }
 
 /// The name depends on the device, the driver, and the driver's own identifier for its format.
-fs::path fileFor(const vk::PhysicalDeviceProperties& properties) {
-    const fs::path folder = cacheFolder();
+fs::path fileFor(const vk::PhysicalDeviceProperties& properties, const fs::path& folder) {
     if (folder.empty())
         return {};
     char name[64];
@@ -74,8 +73,8 @@ vk::raii::PipelineCache createCache(const vk::raii::Device& device,
 } // namespace
 
 PipelineCache::PipelineCache(const vk::PhysicalDeviceProperties& properties,
-                             const vk::raii::Device& device)
-    : file_(fileFor(properties)), cache_(nullptr) {
+                             const vk::raii::Device& device, const fs::path& folder)
+    : file_(fileFor(properties, folder.empty() ? defaultFolder() : folder)), cache_(nullptr) {
     const std::vector<uint8_t> data = readCache(file_);
     storedBytes_ = data.size();
     cache_ = createCache(device, data);

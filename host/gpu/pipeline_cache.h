@@ -6,12 +6,13 @@
 
 namespace calotype {
 
-/// Compiled kernels, stored on disk for later runs: in $XDG_CACHE_HOME/calotype or
-/// ~/.cache/calotype, one file for each device and driver. If there is no such folder, or the file
-/// is damaged, kernels are compiled again; that is not an error.
+/// Compiled kernels, stored on disk for later runs: one file for each device and driver. If there
+/// is no folder for them, or the file is damaged, kernels are compiled again; that is not an error.
 class PipelineCache {
 public:
-    PipelineCache(const vk::PhysicalDeviceProperties& properties, const vk::raii::Device& device);
+    /// An empty `folder` means $XDG_CACHE_HOME/calotype, or else ~/.cache/calotype.
+    PipelineCache(const vk::PhysicalDeviceProperties& properties, const vk::raii::Device& device,
+                  const std::filesystem::path& folder = {});
 
     const vk::raii::PipelineCache& handle() const { return cache_; }
 

@@ -14,6 +14,10 @@ struct DeviceOptions {
     /// The source of the name, for messages: "--device", or an environment variable.
     std::string askedBy;
 
+    /// Folder for compiled kernels, made if there is none. Empty: $XDG_CACHE_HOME/calotype, or else
+    /// ~/.cache/calotype.
+    std::string cacheFolder;
+
     /// Threads of the reference tracer; 0: one for each core. lavapipe reads its number of threads
     /// from the environment variable LP_NUM_THREADS when it is loaded.
     uint32_t threads = 0;

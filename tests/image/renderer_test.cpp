@@ -1,6 +1,10 @@
 // The library's facade: the picture is the program's, and what is wrong is thrown.
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <functional>
+#include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <variant>
@@ -15,6 +19,7 @@
 #include "support/paths.h"
 #include "support/render_scene.h"
 #include "support/scene_builder.h"
+#include "support/scratch_folder.h"
 
 namespace calotype::test {
 namespace {
@@ -147,6 +152,44 @@ TEST_F(RendererTest, RendersByTheReferenceTracerToo) {
     Renderer renderer(brightWall(), options);
     const RenderResult result = renderer.render(renderer.defaultSettings());
     EXPECT_EQ(result.pixels, std::vector<float>(3 * 16 * 16, static_cast<float>(kRadiance)));
+}
+
+/// Sets an environment variable for one test.
+class ScopedVariable {
+public:
+    ScopedVariable(std::string name, const std::string& value) : name_(std::move(name)) {
+        if (const char* former = std::getenv(name_.c_str()))
+            former_ = former;
+        setenv(name_.c_str(), value.c_str(), 1);
+    }
+    ScopedVariable(const ScopedVariable&) = delete;
+    ScopedVariable& operator=(const ScopedVariable&) = delete;
+    ~ScopedVariable() {
+        if (former_)
+            setenv(name_.c_str(), former_->c_str(), 1);
+        else
+            unsetenv(name_.c_str());
+    }
+
+private:
+    std::string name_;
+    std::optional<std::string> former_;
+};
+
+TEST_F(RendererTest, StoresKernelsInTheFolderThatIsGiven) {
+    const ScratchFolder usual;
+    const ScratchFolder folder;
+    const ScopedVariable cache("XDG_CACHE_HOME", usual.path());
+    device_.cacheFolder = folder / "made/kernels";
+    Renderer renderer(brightWall(), device_);
+    renderer.render(renderer.defaultSettings());
+    const std::filesystem::directory_iterator files(device_.cacheFolder);
+    EXPECT_EQ(std::distance(files, {}), 1);
+    EXPECT_FALSE(std::filesystem::exists(usual / "calotype"));
+    device_.cacheFolder.clear();
+    renderer = Renderer(brightWall(), device_);
+    renderer.render(renderer.defaultSettings());
+    EXPECT_TRUE(std::filesystem::exists(usual / "calotype"));
 }
 
 TEST_F(RendererTest, StopsWhenItIsTold) {
