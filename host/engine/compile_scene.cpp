@@ -20,7 +20,8 @@ CompiledScene compileScene(const Scene& scene, const RenderSettings& settings,
                                 static_cast<double>(settings.width) / settings.height,
                                 {.allUvs = all || options.allUvs,
                                  .allNormals = all,
-                                 .lightChoice = settings.transport.lightChoice});
+                                 .lightChoice = settings.transport.lightChoice,
+                                 .textureFilter = settings.textureFilter});
     if (all)
         compiled.packed.features = SceneFeatures::all();
     return compiled;

@@ -23,7 +23,7 @@ ReferenceEngine::ReferenceEngine(const DeviceOptions& options, const Scene& scen
                     [&] {
                         return reference::ReferenceTracer(
                             scene, {settings_.width, settings_.height}, settings_.maxBounces,
-                            settings_.transport);
+                            settings_.transport, settings_.textureFilter);
                     })),
       block_(tracer_, settings_, threads_) {}
 

@@ -34,7 +34,7 @@ std::vector<float> floatsOf(const Image& image) {
 
 class JobRun {
 public:
-    JobRun(Scene& scene, const DeviceOptions& device, const RenderJob& job,
+    JobRun(const Scene& scene, const DeviceOptions& device, const RenderJob& job,
            const RenderCallbacks& callbacks)
         : scene_(scene), device_(device), job_(job), callbacks_(callbacks), settings_(job.settings),
           start_(job.start.value_or(Clock::now())) {
@@ -48,7 +48,6 @@ public:
     RenderResult run() {
         requireRenderable(settings_, device_);
         requireConsistent(job_);
-        const TextureFilterOverride filters(scene_, settings_.textureFilter);
         result_.warnings = scene_.warnings;
         FilmKeeper keeper(job_.film, labelOf(scene_, settings_), settings_.crop,
                           [&](const std::string& warning) { warn(warning); });
@@ -200,7 +199,7 @@ private:
             result_.pixels = floatsOf(session.picture());
     }
 
-    Scene& scene_;
+    const Scene& scene_;
     const DeviceOptions& device_;
     const RenderJob& job_;
     const RenderCallbacks& callbacks_;
@@ -213,7 +212,7 @@ private:
 
 } // namespace
 
-RenderResult runJob(Scene& scene, const DeviceOptions& device, const RenderJob& job,
+RenderResult runJob(const Scene& scene, const DeviceOptions& device, const RenderJob& job,
                     const RenderCallbacks& callbacks) {
     return JobRun(scene, device, job, callbacks).run();
 }

@@ -6,7 +6,7 @@
 namespace calotype {
 
 /// Renderer::render with a checked scene. All renders of the library and of the program use it.
-RenderResult runJob(Scene& scene, const DeviceOptions& device, const RenderJob& job,
+RenderResult runJob(const Scene& scene, const DeviceOptions& device, const RenderJob& job,
                     const RenderCallbacks& callbacks);
 
 } // namespace calotype

@@ -1,8 +1,6 @@
 #include "engine/scene_settings.h"
 
 #include <string>
-#include <utility>
-#include <variant>
 
 #include "base/error.h"
 #include "engine/devices.h"
@@ -85,22 +83,6 @@ void requireConsistent(const RenderJob& job) {
     if (output.pictures.empty() && output.previewFile.empty() &&
         (preview.samples > 0 || preview.seconds > 0.0))
         throw UsageError("--preview-every has no picture to write; name one with --preview-file");
-}
-
-TextureFilterOverride::TextureFilterOverride(Scene& scene,
-                                             const std::optional<TextureFilter>& filter)
-    : textures_(scene.textures) {
-    if (!filter)
-        return;
-    before_ = textures_; // cheap: images are shared
-    for (Texture& texture : textures_)
-        if (auto* image = std::get_if<ImageTexture>(&texture.source))
-            image->filter = *filter;
-}
-
-TextureFilterOverride::~TextureFilterOverride() {
-    if (!before_.empty())
-        textures_ = std::move(before_);
 }
 
 } // namespace calotype

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "engine/render_job.h"
 #include "scene/scene.h"
 #include "settings/device_options.h"
@@ -25,19 +22,5 @@ void requireRenderable(const RenderSettings& settings, const DeviceOptions& devi
 
 /// Throws UsageError if the files of a job do not fit its settings or each other.
 void requireConsistent(const RenderJob& job);
-
-/// Sets one filter for all textures of a scene, if one is given; the destructor restores them.
-class TextureFilterOverride {
-public:
-    /// The scene must outlive this object.
-    TextureFilterOverride(Scene& scene, const std::optional<TextureFilter>& filter);
-    ~TextureFilterOverride();
-    TextureFilterOverride(const TextureFilterOverride&) = delete;
-    TextureFilterOverride& operator=(const TextureFilterOverride&) = delete;
-
-private:
-    std::vector<Texture>& textures_;
-    std::vector<Texture> before_; ///< empty if nothing was changed
-};
 
 } // namespace calotype

@@ -31,7 +31,8 @@ public:
     ScenePacker(const Scene& scene, std::span<const Primitive> primitives, const Bvh& bvh,
                 const glm::dvec3& origin, const PackOptions& options)
         : scene_(scene), primitives_(primitives), bvh_(bvh), options_(options),
-          textures_(scene.textures), lights_(scene, packed_.features, options.lightChoice) {
+          textures_(scene.textures, options.textureFilter),
+          lights_(scene, packed_.features, options.lightChoice) {
         packed_.origin = origin;
         packed_.primitiveCount = primitives.size();
         packed_.materials.resize(scene.materials.size());

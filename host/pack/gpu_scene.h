@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -42,6 +43,7 @@ struct PackOptions {
     bool allUvs = false;     ///< texture coordinates of triangles without textures
     bool allNormals = false; ///< normals of flat triangles: zeros
     LightChoice lightChoice = LightChoice::Power;
+    std::optional<TextureFilter> textureFilter = {}; ///< of all textures; none: each its own
 };
 
 /// Packs a scene with its BVH. `aspectRatio` is the picture's width over its height; `primitives`

@@ -11,11 +11,11 @@ constexpr size_t kBytesPerRow = sizeof(glm::uvec4);
 /// Rows are numbered by 32 bits, and fetched by signed integers.
 constexpr size_t kMostRows = size_t{1} << 31;
 
-uint32_t flagsOf(const ImageTexture& texture) {
+uint32_t flagsOf(const ImageTexture& texture, TextureFilter filter) {
     uint32_t flags = texture.image->holdsBytes() ? 0 : shared::kTextureHoldsFloats;
     if (texture.decodesColor && texture.image->isEncoded)
         flags |= shared::kTextureIsEncoded;
-    if (texture.filter == TextureFilter::Nearest)
+    if (filter == TextureFilter::Nearest)
         flags |= shared::kTextureIsNearest;
     if (texture.wrap == TextureWrap::Clamp)
         flags |= shared::kTextureClamps;
@@ -48,7 +48,7 @@ shared::Texture TexturePacker::pack(const Texture& texture) {
     packed.firstRow = addTexels(*source.image);
     packed.width = source.image->width;
     packed.height = source.image->height;
-    packed.flags = flagsOf(source);
+    packed.flags = flagsOf(source, filter_.value_or(source.filter));
     return packed;
 }
 

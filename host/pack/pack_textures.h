@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,7 +17,10 @@ namespace calotype {
 /// Packs the textures that a scene's materials use, and the texels of each image once.
 class TexturePacker {
 public:
-    explicit TexturePacker(std::span<const Texture> textures) : textures_(textures) {}
+    /// `filter` replaces that of each texture, if there is one.
+    explicit TexturePacker(std::span<const Texture> textures,
+                           std::optional<TextureFilter> filter = {})
+        : textures_(textures), filter_(filter) {}
 
     /// The packed index of a texture. Packs the texture at the first call.
     uint32_t add(uint32_t texture);
@@ -30,6 +34,7 @@ private:
     uint32_t addTexels(const TexelImage& image);
 
     std::span<const Texture> textures_;
+    std::optional<TextureFilter> filter_;
     std::vector<shared::Texture> packed_;
     std::vector<glm::uvec4> rows_;
     std::map<uint32_t, uint32_t> packedIndex_;

@@ -117,13 +117,13 @@ private:
             return false;
         const uint32_t fromBehind = glm::dot(ray_.direction, surface.ng) > 0.0 ? 1 : 0;
         const double u = alphaNumber(id_, bounce_, 2 * surface.primitive + fromBehind);
-        return u >= alphaAt(material, setup_.scene.textures, surface.uv);
+        return u >= alphaAt(material, setup_.textures, surface.uv);
     }
 
     /// Adds the direct light of the surface and samples the next direction. False if the path ends.
     bool scatter(const Surface& surface) {
         const Material& material = setup_.scene.materials[surface.material];
-        const Bsdf bsdf(material, setup_.scene.textures, surface, -ray_.direction);
+        const Bsdf bsdf(material, setup_.textures, surface, -ray_.direction);
         const Departure from{offsetFrom(surface.position + surface.toSmooth, bsdf.ng()),
                              offsetFrom(surface.position, -bsdf.ng())};
         if (!setup_.lights.empty() && !bsdf.isSpecular())
@@ -225,7 +225,7 @@ private:
         if (!isTransparent(material))
             return radiance;
         const glm::dvec2 uv = setup_.geometry.uvAt(*light.primitive(), point.position);
-        return radiance * alphaAt(material, setup_.scene.textures, uv);
+        return radiance * alphaAt(material, setup_.textures, uv);
     }
 
     /// The share of light that passes along the ray: the product of 1 - alpha over all surfaces
@@ -250,7 +250,7 @@ private:
 
     double opacityAt(const Surface& surface) const {
         const Material& material = setup_.scene.materials[surface.material];
-        return alphaAt(material, setup_.scene.textures, surface.uv);
+        return alphaAt(material, setup_.textures, surface.uv);
     }
 
     const PathSetup& setup_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -17,6 +18,7 @@ class Lights;
 /// What all paths of a picture share.
 struct PathSetup {
     const Scene& scene;
+    const std::vector<Texture>& textures; ///< read in place of those of the scene
     const Geometry& geometry;
     const Lights& lights;
     glm::uvec2 imageSize; ///< of the whole film, pixels

@@ -1,19 +1,35 @@
 #include "reference/reference_tracer.h"
 
+#include <variant>
+
 #include <glm/geometric.hpp>
 
 #include "reference/bsdf.h"
 #include "reference/camera.h"
 
 namespace calotype::reference {
+namespace {
+
+std::vector<Texture> withFilter(std::vector<Texture> textures,
+                                const std::optional<TextureFilter>& filter) {
+    for (Texture& texture : textures)
+        if (auto* image = std::get_if<ImageTexture>(&texture.source); image && filter)
+            image->filter = *filter;
+    return textures;
+}
+
+} // namespace
 
 ReferenceTracer::ReferenceTracer(const Scene& scene, const glm::uvec2& imageSize,
-                                 uint32_t maxBounces, const TransportSettings& transport)
-    : scene_(scene), imageSize_(imageSize), maxBounces_(maxBounces), transport_(transport),
-      geometry_(scene), lights_(scene, geometry_, transport.lightChoice) {}
+                                 uint32_t maxBounces, const TransportSettings& transport,
+                                 const std::optional<TextureFilter>& filter)
+    : scene_(scene), textures_(withFilter(scene.textures, filter)), imageSize_(imageSize),
+      maxBounces_(maxBounces), transport_(transport), geometry_(scene),
+      lights_(scene, geometry_, transport.lightChoice) {}
 
 PathSample ReferenceTracer::trace(const SampleId& id) const {
-    return tracePath({scene_, geometry_, lights_, imageSize_, maxBounces_, transport_}, id);
+    return tracePath({scene_, textures_, geometry_, lights_, imageSize_, maxBounces_, transport_},
+                     id);
 }
 
 FirstHit ReferenceTracer::firstHitAt(const glm::dvec2& filmPosition) const {
@@ -25,7 +41,7 @@ FirstHit ReferenceTracer::firstHitAt(const glm::dvec2& filmPosition) const {
         const Light* light = lights_.ofPrimitive(surface.primitive);
         const Material& material = scene_.materials[surface.material];
         const bool isSeen = !(light && light->isHiddenFromCamera()) &&
-                            alphaAt(material, scene_.textures, surface.uv) >= 0.5;
+                            alphaAt(material, textures_, surface.uv) >= 0.5;
         if (!isSeen) {
             ray.origin = leaveSurface(surface, ray.direction);
             continue;
@@ -34,8 +50,8 @@ FirstHit ReferenceTracer::firstHitAt(const glm::dvec2& filmPosition) const {
         const bool isClear = material.type == MaterialType::Dielectric;
         FirstHit first;
         first.albedo =
-            isClear ? glm::vec3(1.0f) : glm::vec3(colorAt(material, scene_.textures, surface.uv));
-        first.normal = glm::vec3(side * shadingNormal(material, scene_.textures, surface));
+            isClear ? glm::vec3(1.0f) : glm::vec3(colorAt(material, textures_, surface.uv));
+        first.normal = glm::vec3(side * shadingNormal(material, textures_, surface));
         first.position = glm::vec3(surface.position);
         first.depth = static_cast<float>(glm::dot(surface.position - start, scene_.camera.forward));
         first.primitive = surface.primitive;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -12,6 +13,7 @@
 #include "reference/path.h"
 #include "reference/random.h"
 #include "scene/scene.h"
+#include "settings/texture_filter.h"
 #include "settings/transport.h"
 
 namespace calotype::reference {
@@ -21,11 +23,13 @@ namespace calotype::reference {
 /// everything else is implemented independently.
 class ReferenceTracer {
 public:
-    /// Keeps a reference to the scene. `imageSize` is that of the whole film.
+    /// Keeps a reference to the scene. `filter` replaces that of each texture, if there is one.
+    /// `imageSize` is that of the whole film.
     ReferenceTracer(const Scene& scene, const glm::uvec2& imageSize, uint32_t maxBounces,
-                    const TransportSettings& transport = {});
-    ReferenceTracer(const Scene&&, const glm::uvec2&, uint32_t,
-                    const TransportSettings& = {}) = delete;
+                    const TransportSettings& transport = {},
+                    const std::optional<TextureFilter>& filter = {});
+    ReferenceTracer(const Scene&&, const glm::uvec2&, uint32_t, const TransportSettings& = {},
+                    const std::optional<TextureFilter>& = {}) = delete;
 
     /// Largest emitted radiance of any channel, W/(m^2 sr).
     double maxRadiance() const { return lights_.maxRadiance(); }
@@ -41,6 +45,7 @@ public:
 
 private:
     const Scene& scene_;
+    std::vector<Texture> textures_; ///< of the scene, with the filter; images are shared
     glm::uvec2 imageSize_;
     uint32_t maxBounces_;
     TransportSettings transport_;

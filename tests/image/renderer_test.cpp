@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -87,6 +88,46 @@ TEST_F(RendererTest, GivesThePictureOfASession) {
     }
     ASSERT_TRUE(result.totals.error);
     EXPECT_GT(result.totals.error->relative, 0.0);
+}
+
+/// The camera sees an enlarged image of 2 x 2 texels.
+Scene enlargedTexels() {
+    SceneBuilder builder;
+    const TexelImage image{2,  2,    {0, 0, 0, 255, 255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255},
+                           {}, true, false};
+    Material material;
+    material.color = glm::dvec3(1.0);
+    material.colorTexture =
+        builder.texture({"texels", ImageTexture{std::make_shared<const TexelImage>(image)}});
+    builder.rectangle({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, builder.material(material));
+    builder.lookAtPlaneZ(2.0);
+    builder.scene().background = glm::dvec3(1.0);
+    builder.scene().render.maxBounces = 1;
+    return builder.scene();
+}
+
+// The setting gives the picture of a scene whose textures say so, and leaves the scene alone.
+TEST_F(RendererTest, FiltersTexturesAsTheSettingSays) {
+    Scene nearest = enlargedTexels();
+    std::get<ImageTexture>(nearest.textures[0].source).filter = TextureFilter::Nearest;
+    DeviceOptions reference;
+    reference.device = "reference";
+    for (const DeviceOptions& device : {device_, reference}) {
+        SCOPED_TRACE(device.device);
+        Renderer renderer(enlargedTexels(), device);
+        RenderSettings settings = renderer.defaultSettings();
+        const std::vector<float> bilinear = renderer.render(settings).pixels;
+        settings.textureFilter = TextureFilter::Nearest;
+        RenderCallbacks callbacks;
+        callbacks.onSamples = [&](const RenderPlan&, const RenderTotals&) {
+            EXPECT_EQ(std::get<ImageTexture>(renderer.scene().textures[0].source).filter,
+                      TextureFilter::Bilinear);
+        };
+        const std::vector<float> pixels = renderer.render(settings, callbacks).pixels;
+        EXPECT_NE(pixels, bilinear);
+        Renderer other(nearest, device);
+        EXPECT_EQ(other.render(other.defaultSettings()).pixels, pixels);
+    }
 }
 
 struct Mistake {
