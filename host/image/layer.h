@@ -22,7 +22,7 @@ struct Layer {
     std::vector<std::string> channels; ///< their full names: "albedo.R", "albedo.G", "albedo.B"
     bool isInteger = false;            ///< 32-bit unsigned integers; else 32-bit floats
     std::string help;                  ///< meaning and unit of its values
-    size_t offset = 0;                 ///< of its values in a FirstHit, bytes; 0 for another source
+    size_t offset = 0;                 ///< of its values in a FirstHit or a PixelError, bytes
 };
 
 using LayerList = std::vector<const Layer*>;

@@ -13,15 +13,16 @@ namespace {
 
 constexpr size_t kChannelBytes = 4;
 
-template <typename Value>
-Layer makeLayer(const char* name, LayerSource source, size_t offset, std::string_view channels,
-                const char* help) {
+/// Of values that lie kOffset bytes from the beginning of a record.
+template <typename Value, size_t kOffset, size_t kRecordBytes>
+Layer makeLayer(const char* name, LayerSource source, std::string_view channels, const char* help) {
+    static_assert(kOffset + sizeof(Value) <= kRecordBytes);
     Layer layer{.name = name,
                 .source = source,
                 .channels = {},
                 .isInteger = std::is_same_v<Value, uint32_t>,
                 .help = help,
-                .offset = offset};
+                .offset = kOffset};
     while (!channels.empty()) {
         const size_t end = std::min(channels.find(','), channels.size());
         layer.channels.push_back(layer.name + "." + std::string(channels.substr(0, end)));
@@ -34,11 +35,13 @@ Layer makeLayer(const char* name, LayerSource source, size_t offset, std::string
 std::vector<Layer> makeLayers() {
     using namespace shared; // the types of the table
 #define CALOTYPE_FIRST_HIT_ROW(name, type, nothing, channels, help)                                \
-    makeLayer<type>(#name, LayerSource::FirstHit, offsetof(FirstHit, name), channels, help),
+    makeLayer<type, offsetof(FirstHit, name), sizeof(FirstHit)>(#name, LayerSource::FirstHit,      \
+                                                                channels, help),
 #define CALOTYPE_AVERAGED_ROW(name, type, channels, help)                                          \
-    makeLayer<type>(#name, LayerSource::Averaged, 0, channels, help),
-#define CALOTYPE_REPLICAS_ROW(name, type, channels, help)                                          \
-    makeLayer<type>(#name, LayerSource::Replicas, 0, channels, help),
+    makeLayer<type, 0, sizeof(type)>(#name, LayerSource::Averaged, channels, help),
+#define CALOTYPE_REPLICAS_ROW(name, first, type, channels, help)                                   \
+    makeLayer<type, offsetof(PixelError, first), sizeof(PixelError)>(#name, LayerSource::Replicas, \
+                                                                     channels, help),
     return {CALOTYPE_LAYERS(CALOTYPE_FIRST_HIT_ROW, CALOTYPE_AVERAGED_ROW, CALOTYPE_REPLICAS_ROW)};
 }
 

@@ -15,7 +15,9 @@
 // middle of the pixel. shaders/path/first_hit.glsl and host/reference set the field `name` of a
 // FirstHit. `nothing` is its value in C++ if the pixel shows no surface.
 // AVERAGED(name, type, channels, help): the mean over the samples of the film. No layer is one yet.
-// REPLICAS(name, type, channels, help): from the spread of the film's replicas: PixelError.
+// REPLICAS(name, first, type, channels, help): from the spread of the film's replicas: the fields
+// of
+//     a PixelError from `first` on.
 //
 // `type` is float, uint, vec2 or vec3. `channels` are the names of its components in an EXR file,
 // after the name of the layer and a dot.
@@ -28,12 +30,14 @@
     FIRST_HIT(position, vec3, 0.0f, "X,Y,Z", "point in the world, metres")                         \
     FIRST_HIT(primitive, uint, 0xFFFFFFFFu, "ID", "number of the primitive, from 0")               \
     FIRST_HIT(uv, vec2, 0.0f, "U,V", "texture coordinates, 0 where a mesh has none")               \
-    REPLICAS(error, vec2, "SE,CI95",                                                               \
+    REPLICAS(error, standardError, vec2, "SE,CI95",                                                \
              "standard error of the luminance, and half of its 95 % interval, W/(m^2 sr)")
 
 /// Only the rows of one kind.
-#define CALOTYPE_NO_ROW(name, type, channels, help)
-#define CALOTYPE_FIRST_HIT_LAYERS(ROW) CALOTYPE_LAYERS(ROW, CALOTYPE_NO_ROW, CALOTYPE_NO_ROW)
+#define CALOTYPE_NO_AVERAGED_ROW(name, type, channels, help)
+#define CALOTYPE_NO_REPLICAS_ROW(name, first, type, channels, help)
+#define CALOTYPE_FIRST_HIT_LAYERS(ROW)                                                             \
+    CALOTYPE_LAYERS(ROW, CALOTYPE_NO_AVERAGED_ROW, CALOTYPE_NO_REPLICAS_ROW)
 
 /// 32-bit components of a type.
 #define CALOTYPE_WORDS_OF_float 1u
