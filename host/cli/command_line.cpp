@@ -187,8 +187,12 @@ int parseAndRun(int argc, char** argv) {
     CLI::App& bench = addBenchCommand(app, benchOptions);
     CLI::App& devices = *app.add_subcommand("devices", "List devices and say which one is taken");
     addDeviceOptions(devices, devicesOptions);
+    devices.footer("Example: calotype devices --device 1");
     CLI::App& schema =
         *app.add_subcommand("schema", "Print the JSON Schema of scene files, for editors");
+    schema.footer("Example: calotype schema > scene.schema.json");
+    // Commands that are added later would have it, too.
+    app.footer("Example: calotype render scenes/cornell-box.json -o box.png");
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& success) { // --help, --version

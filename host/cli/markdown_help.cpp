@@ -36,6 +36,11 @@ std::string rowOf(const CLI::Option& option) {
            " |\n";
 }
 
+/// Nothing if there is no footer.
+std::string footerOf(const CLI::App& command) {
+    return command.get_footer().empty() ? "" : "\n```\n" + command.get_footer() + "\n```\n";
+}
+
 std::string commandPage(const CLI::App& command) {
     std::string page = "\n## calotype " + command.get_name() + "\n\n" + command.get_description() +
                        ".\n\n```\n" + usageOf(command) + "\n```\n";
@@ -48,9 +53,7 @@ std::string commandPage(const CLI::App& command) {
             if (option->get_group() == group)
                 page += rowOf(*option);
     }
-    if (!command.get_footer().empty())
-        page += "\n```\n" + command.get_footer() + "\n```\n";
-    return page;
+    return page + footerOf(command);
 }
 
 } // namespace
@@ -59,7 +62,7 @@ std::string markdownHelp(CLI::App& app) {
     std::string page = "# The command line\n\n"
                        "This page is what `calotype --help-markdown` prints; `calotype COMMAND "
                        "--help` prints the same of one command.\n\n" +
-                       app.get_description() + "\n";
+                       app.get_description() + "\n" + footerOf(app);
     for (const CLI::App* command : app.get_subcommands({}))
         page += commandPage(*command);
     return page;
