@@ -10,8 +10,8 @@ CompiledScene compileScene(const Scene& scene, const RenderSettings& settings,
     CompiledScene compiled;
     const glm::dvec3 origin = packingOrigin(scene);
     compiled.primitives = collectPrimitives(scene, origin);
-    const Crop& crop = settings.crop;
-    const uint64_t paths = uint64_t{crop.width} * crop.height * settings.samplesPerPixel;
+    // Paths of the whole film: a crop has the same BVH, so the same hits where surfaces coincide.
+    const uint64_t paths = uint64_t{settings.width} * settings.height * settings.samplesPerPixel;
     compiled.builder = settings.bvh.value_or(quickestBuilder(compiled.primitives.size(), paths));
     BuildOptions build;
     build.onProgress = options.onProgress;
