@@ -1,25 +1,17 @@
-// How a material scatters light at a point: the closed list of lobes, and their mixture. The
-// contract of a lobe is in bsdf/lobe.glsl; the mixture is docs/models.md, "Mixture of lobes".
+// How a material scatters light at a point: the mixture of its lobes (docs/models.md, "Mixture of
+// lobes").
 #ifndef CALOTYPE_BSDF_BSDF_GLSL
 #define CALOTYPE_BSDF_BSDF_GLSL
 
-#include "bsdf/blinn_phong.glsl"
-#include "bsdf/dielectric.glsl"
-#include "bsdf/diffuse.glsl"
-#include "bsdf/ggx.glsl"
 #include "bsdf/lobe.glsl"
+#include "bsdf/lobes.glsl"
 #include "bsdf/shading_normal.glsl"
 #include "bsdf/surface_parameters.glsl"
 #include "config/features.glsl"
 #include "core/frame.glsl"
 #include "core/select.glsl"
 
-/// True if some lobe transmits and has a density: then light is also sampled from the far side.
-const bool hasTransmission = false;
-/// True if some lobe transmits, with a density or without.
-const bool hasCrossing = hasDielectrics || hasTransmission;
-
-/// The part of [0, 1) that chooses this lobe.
+/// The part of [0, 1) in which the random number that chooses a lobe chooses this one.
 struct LobeShare {
     float start;
     float chance; ///< its length: the probability with which the lobe is sampled
@@ -184,7 +176,7 @@ BsdfSample sampleBsdf(Bsdf bsdf, vec3 u) {
     LobeSample scattered = chosen.scattered;
     vec3 wi = bsdf.worldFromShading * scattered.wi;
     bool crosses = hasCrossing && scattered.wi.z < 0.0;
-    if ((hasMirrors || hasDielectrics) && scattered.isSpecular)
+    if (hasSpecular && scattered.isSpecular)
         return BsdfSample(ontoSideOf(crosses ? -bsdf.ng : bsdf.ng, wi),
                           scattered.specularWeight / chosen.chance, kSpecularPdf, crosses,
                           scattered.eta);

@@ -22,9 +22,9 @@
 // which the lobe does not scatter. A sampled direction may lie on such a side; it then counts as
 // no light.
 //
-// To add a lobe: write its file; give it a bit in shared/scene_structs.h and a feature; in
-// bsdf/bsdf.glsl give it a member of Bsdf and a line in each function that lists the lobes, and
-// name it in hasTransmission if it transmits and has a density.
+// To add a lobe: write its file; give it a bit in shared/scene_structs.h and a feature; include it
+// in bsdf/lobes.glsl, and name it in those of the constants there that it makes true; in
+// bsdf/bsdf.glsl give it a member of Bsdf and a line in each function that lists the lobes.
 #ifndef CALOTYPE_BSDF_LOBE_GLSL
 #define CALOTYPE_BSDF_LOBE_GLSL
 

@@ -102,7 +102,7 @@ bool scatter(inout Path path, Interaction surface, Material material, PathLimits
     vec4 u = samplerNumbers(path.id, bounceDimension(path.bounce, kDimensionBsdf));
     BsdfSample scattered = sampleBsdf(bsdf, u.xyz);
     path.throughput *= scattered.weight;
-    if (hasDielectrics && scattered.crosses)
+    if (hasCrossing && scattered.crosses)
         path.etaScale *= scattered.eta * scattered.eta;
     path.vertex = scattered.crosses ? from.farSide : from.viewerSide;
     path.nextDirection = scattered.wi;
