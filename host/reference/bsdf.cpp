@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -50,8 +51,45 @@ glm::dvec3 shadingNormal(const Material& material, const std::vector<Texture>& t
     return mappedNormal(texel, surface.ns, surface.dpdu, surface.dpdv, surface.ng);
 }
 
+Lobes lobesOfMaterial(const Material& material, const std::vector<Texture>& textures,
+                      const glm::dvec2& uv, bool isOutside) {
+    Lobes lobes;
+    const auto add = [&]<typename Kind>(Kind lobe) {
+        lobes.push_back(std::make_unique<Kind>(std::move(lobe)));
+    };
+    const glm::dvec3 color = colorAt(material, textures, uv);
+    const auto scalar = [&](double factor, uint32_t texture) {
+        return scalarAt(factor, texture, textures, uv);
+    };
+    switch (material.type) {
+    case MaterialType::Diffuse:
+        add(DiffuseLobe(color));
+        break;
+    case MaterialType::Metal:
+        add(GgxLobe(color, scalar(material.roughness, material.roughnessTexture),
+                    material.masking));
+        break;
+    case MaterialType::Nonmetal: {
+        const double f0 = scalar(material.specular, material.specularTexture);
+        add(DiffuseLobe((1.0 - f0) * color));
+        add(GgxLobe(glm::dvec3(f0), scalar(material.roughness, material.roughnessTexture),
+                    material.masking));
+        break;
+    }
+    case MaterialType::BlinnPhong:
+        add(DiffuseLobe(material.kd * color));
+        add(BlinnPhongLobe(material.ks, material.exponent, material.normalize));
+        break;
+    case MaterialType::Dielectric:
+        add(DielectricLobe(color, isOutside ? material.ior / material.exteriorIor
+                                            : material.exteriorIor / material.ior));
+        break;
+    }
+    return lobes;
+}
+
 Bsdf::Bsdf(const Material& material, const std::vector<Texture>& textures, const Surface& surface,
-           const glm::dvec3& wo) {
+           const glm::dvec3& wo, LobesOf lobesOf) {
     const bool isOutside = glm::dot(wo, surface.ng) >= 0.0;
     const double side = isOutside ? 1.0 : -1.0;
     ng_ = side * surface.ng;
@@ -59,43 +97,12 @@ Bsdf::Bsdf(const Material& material, const std::vector<Texture>& textures, const
     const glm::dvec3 ns = side * shadingNormal(material, textures, surface);
     worldFromShading_ = frameAbout(consistentNormal(wo, ng_, ns));
     wo_ = wo * worldFromShading_;
-    addLobes(material, textures, surface.uv, isOutside);
+    for (std::unique_ptr<Lobe>& lobe : lobesOf(material, textures, surface.uv, isOutside))
+        lobes_.push_back({std::move(lobe)});
     shareOut();
 }
 
-void Bsdf::addLobes(const Material& material, const std::vector<Texture>& textures,
-                    const glm::dvec2& uv, bool isOutside) {
-    const glm::dvec3 color = colorAt(material, textures, uv);
-    const auto scalar = [&](double factor, uint32_t texture) {
-        return scalarAt(factor, texture, textures, uv);
-    };
-    switch (material.type) {
-    case MaterialType::Diffuse:
-        add<DiffuseLobe>(color);
-        break;
-    case MaterialType::Metal:
-        add<GgxLobe>(color, scalar(material.roughness, material.roughnessTexture),
-                     material.masking);
-        break;
-    case MaterialType::Nonmetal: {
-        const double f0 = scalar(material.specular, material.specularTexture);
-        add<DiffuseLobe>((1.0 - f0) * color);
-        add<GgxLobe>(glm::dvec3(f0), scalar(material.roughness, material.roughnessTexture),
-                     material.masking);
-        break;
-    }
-    case MaterialType::BlinnPhong:
-        add<DiffuseLobe>(material.kd * color);
-        add<BlinnPhongLobe>(material.ks, material.exponent, material.normalize);
-        break;
-    case MaterialType::Dielectric:
-        add<DielectricLobe>(color, isOutside ? material.ior / material.exteriorIor
-                                             : material.exteriorIor / material.ior);
-        break;
-    }
-}
-
-/// Lobes are chosen by their albedos: kd / (kd + ks), and so on.
+/// Lobes are chosen by what they scatter: kd / (kd + ks), and the like.
 void Bsdf::shareOut() {
     double total = 0.0;
     for (WeightedLobe& part : lobes_) {

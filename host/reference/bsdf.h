@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <utility>
 #include <vector>
 
 #include <glm/mat3x3.hpp>
@@ -14,9 +13,20 @@
 
 namespace calotype::reference {
 
-/// A material at a point of a surface, with its textures looked up, seen from one direction: a
-/// mixture of lobes. Directions are unit vectors in world space, away from the surface; densities
-/// are per solid angle.
+using Lobes = std::vector<std::unique_ptr<Lobe>>;
+
+/// What a material is made of at texture coordinates. `isOutside`: seen from the outer side of the
+/// surface.
+using LobesOf = Lobes (*)(const Material& material, const std::vector<Texture>& textures,
+                          const glm::dvec2& uv, bool isOutside);
+
+/// The lobes of a material of a scene.
+Lobes lobesOfMaterial(const Material& material, const std::vector<Texture>& textures,
+                      const glm::dvec2& uv, bool isOutside);
+
+/// A material at a point of a surface, its textures looked up, seen from one direction: a mixture
+/// of lobes. Directions are unit vectors in the world, away from the surface; densities are per
+/// solid angle.
 class Bsdf {
 public:
     struct Value {
@@ -33,7 +43,7 @@ public:
     };
 
     Bsdf(const Material& material, const std::vector<Texture>& textures, const Surface& surface,
-         const glm::dvec3& wo);
+         const glm::dvec3& wo, LobesOf lobesOf = lobesOfMaterial);
 
     /// The geometric normal on the viewer's side.
     const glm::dvec3& ng() const { return ng_; }
@@ -59,13 +69,6 @@ private:
         double chance() const { return end - start; }
     };
 
-    template <typename Kind, typename... Arguments>
-    void add(Arguments&&... arguments) {
-        lobes_.push_back({std::make_unique<Kind>(std::forward<Arguments>(arguments)...)});
-    }
-
-    void addLobes(const Material& material, const std::vector<Texture>& textures,
-                  const glm::dvec2& uv, bool isOutside);
     void shareOut();
     bool isScattered(const glm::dvec3& wi, const glm::dvec3& wiWorld) const;
 

@@ -123,7 +123,7 @@ private:
     /// Adds the direct light of the surface and samples the next direction. False if the path ends.
     bool scatter(const Surface& surface) {
         const Material& material = setup_.scene.materials[surface.material];
-        const Bsdf bsdf(material, setup_.textures, surface, -ray_.direction);
+        const Bsdf bsdf(material, setup_.textures, surface, -ray_.direction, setup_.lobesOf);
         const Departure from{offsetFrom(surface.position + surface.toSmooth, bsdf.ng()),
                              offsetFrom(surface.position, -bsdf.ng())};
         if (!setup_.lights.empty() && !bsdf.isSpecular())

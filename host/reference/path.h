@@ -6,6 +6,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "reference/bsdf.h"
 #include "reference/random.h"
 #include "scene/scene.h"
 #include "settings/transport.h"
@@ -24,6 +25,7 @@ struct PathSetup {
     glm::uvec2 imageSize; ///< of the whole film, pixels
     uint32_t maxBounces;  ///< scattering events along a path, at most
     TransportSettings transport;
+    LobesOf lobesOf = lobesOfMaterial;
 };
 
 /// One sample of one pixel.

@@ -99,10 +99,11 @@ Bsdf makeBsdf(SurfaceParameters surface, vec3 ng, vec3 ns, vec3 horizon, vec3 wo
     // The error of this cosine: gamma_3 (4e-7) from the sum of three products, and as much from the
     // frame's axes. So a view along the surface may come out below it, by less than 1e-6.
     bsdf.wo = vec3(wo.xy, greater(wo.z, 1e-6));
+    surface.eta = isOutside ? surface.eta : 1.0 / surface.eta;
     bsdf.diffuse = makeDiffuse(surface);
     bsdf.ggx = makeGgx(surface);
     bsdf.blinnPhong = makeBlinnPhong(surface);
-    bsdf.dielectric = makeDielectric(surface, isOutside);
+    bsdf.dielectric = makeDielectric(surface);
     shareOut(bsdf);
     return bsdf;
 }

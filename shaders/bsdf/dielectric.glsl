@@ -12,9 +12,8 @@ struct DielectricLobe {
     float eta; ///< index of refraction on the far side over that on the viewer's
 };
 
-/// `isOutside`: the viewer is on the outer side of the surface.
-DielectricLobe makeDielectric(SurfaceParameters surface, bool isOutside) {
-    return DielectricLobe(surface.color, isOutside ? surface.eta : 1.0 / surface.eta);
+DielectricLobe makeDielectric(SurfaceParameters surface) {
+    return DielectricLobe(surface.color, surface.eta);
 }
 
 bool isSpecular(DielectricLobe lobe) { return true; }

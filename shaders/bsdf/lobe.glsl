@@ -2,7 +2,7 @@
 //
 // A file bsdf/<lobe>.glsl declares a struct and these functions, all overloads of the same names:
 //
-//   <Name>Lobe make<Name>(SurfaceParameters surface, ...)
+//   <Name>Lobe make<Name>(SurfaceParameters surface)
 //   bool isSpecular(<Name>Lobe lobe)
 //       True for a lobe that scatters to certain directions only. It has no density.
 //   float lobeAlbedo(<Name>Lobe lobe, vec3 wo)

@@ -5,7 +5,8 @@
 #include "config/features.glsl"
 #include "shared/scene_structs.h"
 
-/// The fields are those of Material.
+/// The fields are those of Material, but for `eta` from makeBsdf on: there it is the index of
+/// refraction on the far side over that on the viewer's.
 struct SurfaceParameters {
     uint lobes;
     vec3 color;

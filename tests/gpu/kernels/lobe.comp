@@ -36,6 +36,6 @@ void main() {
     else if ((event.lobes & kLobeBlinnPhong) != 0u)
         CALOTYPE_TEST_LOBE(makeBlinnPhong(surface))
     else
-        CALOTYPE_TEST_LOBE(makeDielectric(surface, true))
+        CALOTYPE_TEST_LOBE(makeDielectric(surface))
     results[i] = result;
 }

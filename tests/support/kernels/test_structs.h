@@ -116,6 +116,21 @@ struct TestLobe {
     uint pad1;
 };
 
+/// One sample of one pixel.
+struct TestPath {
+    Camera camera;
+    uvec2 pixel;
+    uvec2 imageSize;
+    uint sampleIndex;
+    uint seed;
+    uint maxBounces;
+    uint lightCount;
+    uint backgroundLight;
+    uint pad0;
+    uint pad1;
+    uint pad2;
+};
+
 struct TestTextureRead {
     vec2 uv;
     uint index;
