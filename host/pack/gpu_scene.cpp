@@ -192,9 +192,13 @@ private:
         packed_.lightCount = static_cast<uint32_t>(packed_.lights.size());
         for (uint32_t i = 0; i < packed_.lightCount; ++i) {
             const uint32_t name = packed_.lights[i].primitive;
-            if (packed_.lights[i].kind == shared::kLightBackground)
-                packed_.backgroundLight = i;
-            else if ((name & shared::kQuadricBit) != 0)
+            if (shared::isInfiniteKind(packed_.lights[i].kind)) {
+                CALOTYPE_CHECK_EQ(packed_.infiniteLight, shared::kNone); // there is one at most
+                packed_.infiniteLight = i;
+            }
+            if (name == shared::kNone)
+                continue;
+            if ((name & shared::kQuadricBit) != 0)
                 packed_.quadrics[name & ~shared::kQuadricBit].light = i;
             else
                 packed_.triangles[name].light = i;

@@ -16,14 +16,16 @@ namespace {
 
 double maxComponent(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
-/// The kernel feature for lights of that kind.
-uint32_t featureOf(uint32_t kind) {
-    constexpr uint32_t kFeatures[] = {shared::kFeatureTriangleLights, shared::kFeatureSphereLights,
-                                      shared::kFeatureCylinderLights, shared::kFeatureConeLights,
-                                      shared::kFeatureDiskLights,     shared::kFeatureBackground};
-    static_assert(std::size(kFeatures) == shared::kLightBackground + 1);
-    return kFeatures[kind];
-}
+/// Of the kernel, for a light of that kind.
+uint32_t featureOf(uint32_t kind) { return shared::kFeatureTriangleLights + kind; }
+
+// So the kinds' features follow each other.
+constexpr uint32_t kLightKinds = 0
+#define LIGHT(id, isInfinite, people) +1
+#include "shared/feature_table.h"
+    ;
+#define LIGHT(id, isInfinite, people) static_assert(shared::kLight##id < kLightKinds);
+#include "shared/feature_table.h"
 
 } // namespace
 

@@ -9,8 +9,8 @@ class BackgroundLight final : public Light {
 public:
     explicit BackgroundLight(const glm::dvec3& radiance) : radiance_(radiance) {}
 
-    Sample sample(const glm::dvec3& reference, const glm::dvec2& u) const override;
-    double pdf(const glm::dvec3& reference, const glm::dvec3& wi,
+    Sample sample(const glm::dvec3& shadingPoint, const glm::dvec2& u) const override;
+    double pdf(const glm::dvec3& shadingPoint, const glm::dvec3& wi,
                const Point& point) const override;
     glm::dvec3 radiance(const glm::dvec3& wi, const Point& point) const override;
     double maxRadiance() const override;

@@ -56,7 +56,7 @@ void Lights::addBackground() {
     const double others = std::accumulate(powers_.begin(), powers_.end(), 0.0);
     powers_.push_back(others > 0.0 ? std::min(power, others) : power);
     lights_.push_back(std::make_unique<BackgroundLight>(scene_.background));
-    background_ = lights_.back().get();
+    infinite_ = lights_.back().get();
 }
 
 /// Each emitting light gets one of the random numbers, then its share of the others, rounded down;

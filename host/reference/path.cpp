@@ -62,7 +62,7 @@ private:
         ++result_.rays;
         const std::optional<Hit> hit = setup_.geometry.closest(ray_);
         if (!hit) {
-            addBackground();
+            addInfinite();
             return false;
         }
         const Surface surface = setup_.geometry.surface(*hit, ray_);
@@ -90,8 +90,8 @@ private:
         result_.radiance += events > 1 && most > limit ? found * (limit / most) : found;
     }
 
-    void addBackground() {
-        if (const Light* light = setup_.lights.background())
+    void addInfinite() {
+        if (const Light* light = setup_.lights.infinite())
             addFound(*light, {});
     }
 

@@ -34,8 +34,8 @@ glm::dvec3 aroundAxis(double turns) {
 /// 1 - cos of the half angle that a sphere subtends; its sine is r / distance.
 double oneMinusConeCosine(double sin2) { return sin2 / (1.0 + std::sqrt(1.0 - sin2)); }
 
-double seenSin2(const Sphere& sphere, const glm::dvec3& reference) {
-    const glm::dvec3 away = reference - sphere.worldFromObject.translation;
+double seenSin2(const Sphere& sphere, const glm::dvec3& shadingPoint) {
+    const glm::dvec3 away = shadingPoint - sphere.worldFromObject.translation;
     return sphere.radius * sphere.radius / glm::dot(away, away);
 }
 
@@ -91,21 +91,21 @@ ShapePoint samplePoint(const Mesh& mesh, uint32_t triangle, const glm::dvec2& u)
     return {a + weights.x * ab + weights.y * ac, glm::normalize(glm::cross(ab, ac))};
 }
 
-double sphereConePdf(const Sphere& sphere, const glm::dvec3& reference) {
-    return 1.0 / (2.0 * kPi * oneMinusConeCosine(seenSin2(sphere, reference)));
+double sphereConePdf(const Sphere& sphere, const glm::dvec3& shadingPoint) {
+    return 1.0 / (2.0 * kPi * oneMinusConeCosine(seenSin2(sphere, shadingPoint)));
 }
 
-/// Let theta be the angle at `reference` from the axis, which goes to the centre. The near point of
-/// the sphere in that direction is at the angle beta - theta to the axis at the centre; by the law
-/// of sines, sin beta is sin theta / sin thetaMax.
-ShapePoint sampleSeenSphere(const Sphere& sphere, const glm::dvec3& reference,
+/// Seen under the angle theta off the axis from `shadingPoint` to the centre, the near point of the
+/// sphere makes the angle beta - theta with it at the centre; by the law of sines, sin beta is
+/// sin theta / sin thetaMax.
+ShapePoint sampleSeenSphere(const Sphere& sphere, const glm::dvec3& shadingPoint,
                             const glm::dvec2& u) {
-    const double sin2Max = seenSin2(sphere, reference);
+    const double sin2Max = seenSin2(sphere, shadingPoint);
     const double oneMinusCos = u.x * oneMinusConeCosine(sin2Max);
     const double theta = 2.0 * std::asin(std::sqrt(0.5 * oneMinusCos));
     const double beta = std::asin(std::min(std::sin(theta) / std::sqrt(sin2Max), 1.0));
     const glm::dmat3 frame =
-        frameAbout(glm::normalize(reference - sphere.worldFromObject.translation));
+        frameAbout(glm::normalize(shadingPoint - sphere.worldFromObject.translation));
     const double angle = beta - theta;
     const glm::dvec2 around(std::cos(2.0 * kPi * u.y), std::sin(2.0 * kPi * u.y));
     const glm::dvec3 normal =

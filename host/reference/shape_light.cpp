@@ -12,32 +12,32 @@
 namespace calotype::reference {
 namespace {
 
-/// The density per area, 1 / area, converted to solid angle (docs/models.md, "Direct light"). Zero
-/// if seen edge-on, and if the point is the reference itself.
-double solidAnglePdf(double area, const glm::dvec3& reference, const glm::dvec3& position,
+/// A density per area, 1 / area, as one per solid angle (docs/models.md, "Direct
+/// light"). Zero edge on, and where the point is the shading point itself.
+double solidAnglePdf(double area, const glm::dvec3& shadingPoint, const glm::dvec3& position,
                      const glm::dvec3& normal) {
-    const glm::dvec3 d = position - reference;
+    const glm::dvec3 d = position - shadingPoint;
     if (d == glm::dvec3(0.0))
         return 0.0;
     const double cosTheta = std::abs(glm::dot(glm::normalize(d), normal));
     return cosTheta > 0.0 ? glm::dot(d, d) / (cosTheta * area) : 0.0;
 }
 
-/// Whether a closed shape hides its own point, with the given outward normal, from `reference`.
+/// Whether a closed shape hides its own point, whose outward normal is given, from `shadingPoint`.
 template <typename Geometry>
-bool hidesItself(const Geometry& geometry, const glm::dvec3& reference, const glm::dvec3& position,
-                 const glm::dvec3& normal) {
+bool hidesItself(const Geometry& geometry, const glm::dvec3& shadingPoint,
+                 const glm::dvec3& position, const glm::dvec3& normal) {
     if constexpr (std::is_same_v<Geometry, Disk> || std::is_same_v<Geometry, Mesh>)
         return false;
     else
-        return glm::dot(reference - position, normal) < 0.0 && !contains(geometry, reference);
+        return glm::dot(shadingPoint - position, normal) < 0.0 && !contains(geometry, shadingPoint);
 }
 
 /// From outside, spheres are sampled by the cone that they subtend.
 template <typename Geometry>
-bool isSeenAsCone(const Geometry& geometry, const glm::dvec3& reference) {
+bool isSeenAsCone(const Geometry& geometry, const glm::dvec3& shadingPoint) {
     if constexpr (std::is_same_v<Geometry, Sphere>)
-        return !contains(geometry, reference);
+        return !contains(geometry, shadingPoint);
     else
         return false;
 }
@@ -50,36 +50,39 @@ ShapeLight::ShapeLight(uint32_t primitive, const Shape& shape, uint32_t triangle
       radiance_(material.emission), shinesFromBack_(!material.emitsFromFrontOnly),
       isHiddenFromCamera_(!material.visibleToCamera) {}
 
-Light::Sample ShapeLight::sample(const glm::dvec3& reference, const glm::dvec2& u) const {
+Light::Sample ShapeLight::sample(const glm::dvec3& shadingPoint, const glm::dvec2& u) const {
     const ShapePoint on = std::visit(
         [&]<typename G>(const G& geometry) {
             if constexpr (std::is_same_v<G, Mesh>) {
                 return samplePoint(geometry, triangle_, u);
             } else if constexpr (std::is_same_v<G, Sphere>) {
-                return isSeenAsCone(geometry, reference) ? sampleSeenSphere(geometry, reference, u)
-                                                         : samplePoint(geometry, u);
+                return isSeenAsCone(geometry, shadingPoint)
+                           ? sampleSeenSphere(geometry, shadingPoint, u)
+                           : samplePoint(geometry, u);
             } else {
                 return samplePoint(geometry, u);
             }
         },
         shape_.geometry);
-    const glm::dvec3 wi = glm::normalize(on.position - reference);
+    const glm::dvec3 wi = glm::normalize(on.position - shadingPoint);
     const Point point{on.position, on.normal};
-    return {wi, point, pdf(reference, wi, point)};
+    return {wi, point, pdf(shadingPoint, wi, point)};
 }
 
-double ShapeLight::pdf(const glm::dvec3& reference, const glm::dvec3&, const Point& point) const {
+double ShapeLight::pdf(const glm::dvec3& shadingPoint, const glm::dvec3&,
+                       const Point& point) const {
     return std::visit(
         [&]<typename G>(const G& geometry) {
             if constexpr (std::is_same_v<G, Sphere>) {
-                if (isSeenAsCone(geometry, reference)) {
-                    const bool isFarSide = glm::dot(reference - point.position, point.normal) < 0.0;
-                    return isFarSide ? 0.0 : sphereConePdf(geometry, reference);
+                if (isSeenAsCone(geometry, shadingPoint)) {
+                    const bool isFarSide =
+                        glm::dot(shadingPoint - point.position, point.normal) < 0.0;
+                    return isFarSide ? 0.0 : sphereConePdf(geometry, shadingPoint);
                 }
             }
-            return hidesItself(geometry, reference, point.position, point.normal)
+            return hidesItself(geometry, shadingPoint, point.position, point.normal)
                        ? 0.0
-                       : solidAnglePdf(area_, reference, point.position, point.normal);
+                       : solidAnglePdf(area_, shadingPoint, point.position, point.normal);
         },
         shape_.geometry);
 }

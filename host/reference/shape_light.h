@@ -15,8 +15,8 @@ public:
     double area() const { return area_; }
     bool shinesFromBack() const { return shinesFromBack_; }
 
-    Sample sample(const glm::dvec3& reference, const glm::dvec2& u) const override;
-    double pdf(const glm::dvec3& reference, const glm::dvec3& wi,
+    Sample sample(const glm::dvec3& shadingPoint, const glm::dvec2& u) const override;
+    double pdf(const glm::dvec3& shadingPoint, const glm::dvec3& wi,
                const Point& point) const override;
     glm::dvec3 radiance(const glm::dvec3& wi, const Point& point) const override;
     double maxRadiance() const override;

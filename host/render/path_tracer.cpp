@@ -22,7 +22,7 @@ shared::RenderParameters makeParameters(const GpuScene& scene, const RenderSetti
     parameters.seed = settings.seed;
     parameters.maxBounces = settings.maxBounces;
     parameters.lightCount = scene.lightCount;
-    parameters.backgroundLight = scene.backgroundLight;
+    parameters.infiniteLight = scene.infiniteLight;
     parameters.iterationBudget = iterationBudget;
     parameters.indirectClamp = settings.transport.indirectClamp;
     return parameters;

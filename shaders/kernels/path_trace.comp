@@ -21,7 +21,7 @@ bool isThrough(PixelTask task) { return task.hasPath && !task.hasRay; }
 
 void main() {
     PathLimits limits = PathLimits(parameters.maxBounces, parameters.lightCount,
-                                   parameters.indirectClamp, parameters.backgroundLight);
+                                   parameters.indirectClamp, parameters.infiniteLight);
     TileWork work = resumeTile(tiles[parameters.firstTile + gl_WorkGroupID.x]);
     PixelTask current = resumeTask(work, 0u);
     PixelTask waiting = resumeTask(work, 1u);

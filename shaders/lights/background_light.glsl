@@ -8,16 +8,19 @@
 #include "lights/light_sample.glsl"
 #include "shared/scene_structs.h"
 
-float backgroundLightPdf(vec3 wi) { return 0.25 * kInvPi; }
+float pdfOfBackgroundLight(Light light, vec3 shadingPoint, LightPoint point) {
+    return 0.25 * kInvPi;
+}
 
-LightSample sampleBackgroundLight(vec2 u) {
+LightSample sampleBackgroundLight(Light light, vec3 shadingPoint, vec2 u) {
     float z = 1.0 - 2.0 * u.x;
     float sinTheta = 2.0 * sqrt(u.x * (1.0 - u.x));
     vec2 sinCosPhi = sinCosTwoPi(u.y);
     vec3 wi = vec3(sinTheta * sinCosPhi.y, sinTheta * sinCosPhi.x, z);
-    return LightSample(pointAtInfinity(wi), backgroundLightPdf(wi));
+    LightPoint point = pointAtInfinity(wi);
+    return LightSample(point, pdfOfBackgroundLight(light, shadingPoint, point));
 }
 
-vec3 backgroundLightRadiance(Light light, vec3 wi) { return light.radiance; }
+vec3 radianceOfBackgroundLight(Light light, LightPoint point) { return light.radiance; }
 
 #endif

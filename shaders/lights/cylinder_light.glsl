@@ -1,8 +1,9 @@
-// Uniform points on the closed surface of a cylinder (docs/models.md, "Quadric lights").
+// A closed cylinder that shines, from uniform points (docs/models.md, "Quadric lights").
 #ifndef CALOTYPE_LIGHTS_CYLINDER_LIGHT_GLSL
 #define CALOTYPE_LIGHTS_CYLINDER_LIGHT_GLSL
 
 #include "core/warp.glsl"
+#include "lights/quadric_light.glsl"
 
 /// In the quadric's frame, on the side or one of the caps, chosen by area.
 vec3 sampleCylinder(float radius, float height, vec2 u) {
@@ -16,6 +17,20 @@ vec3 sampleCylinder(float radius, float height, vec2 u) {
     float rest = (u.x - capShare) / (1.0 - 2.0 * capShare);
     vec2 sinCos = sinCosTwoPi(u.y);
     return vec3(radius * sinCos.y, (rest - 0.5) * height, radius * sinCos.x);
+}
+
+LightSample sampleCylinderLight(Light light, vec3 shadingPoint, vec2 u) {
+    Quadric cylinder = quadricOf(light);
+    vec3 local = sampleCylinder(cylinder.radius, cylinder.extent, u);
+    return closedQuadricSample(light, cylinder, local, shadingPoint);
+}
+
+float pdfOfCylinderLight(Light light, vec3 shadingPoint, LightPoint point) {
+    return closedQuadricPdf(light, shadingPoint, point);
+}
+
+vec3 radianceOfCylinderLight(Light light, LightPoint point) {
+    return areaLightRadiance(light, point);
 }
 
 #endif

@@ -8,7 +8,9 @@
 #include "core/constants.glsl"
 #include "core/random.glsl"
 #include "lights/background_light.glsl"
-#include "lights/quadric_light.glsl"
+#include "lights/cone_light.glsl"
+#include "lights/cylinder_light.glsl"
+#include "lights/disk_light.glsl"
 #include "lights/sphere_light.glsl"
 #include "lights/triangle_light.glsl"
 
@@ -40,61 +42,84 @@ bool isHiddenFromCamera(uint light) {
            (loadLight(light).flags & kLightHiddenFromCamera) != 0u;
 }
 
-// If all lights of the scene have the same kind, the kernel does not read Light.kind.
-
-/// A light that is infinitely far away.
+/// A light that is infinitely far away. Where the kernel has lights of one sort only, it does not
+/// look at the kind.
 bool isInfiniteLight(Light light) {
-    return hasBackground && (!hasAreaLights || light.kind == kLightBackground);
+    return hasInfiniteLights && (!hasFiniteLights || isInfiniteKind(light.kind));
 }
 
-/// The light must not be infinite.
-bool isTriangleLight(Light light) {
-    return hasTriangleLights && (!hasQuadricLights || light.kind == kLightTriangle);
+/// Whether the light is of a kind, which the kernel has or not. Where it has no other of the same
+/// sort, finite or infinite, it does not look.
+bool isOfKind(Light light, uint kind, bool isPresent, bool isAlone) {
+    return isPresent && (isAlone || light.kind == kind);
 }
 
-/// The light must be neither infinite nor a triangle.
-bool isSphereLight(Light light) {
-    return hasSphereLights && (!hasOtherQuadricLights || light.kind == kLightSphere);
-}
+// In the functions below there is a line for each kind of one sort.
+#define IF_FINITE(id, isInfinite)                                                                  \
+    if (!isInfinite && isOfKind(light, kLight##id, has##id##Lights, kFiniteKinds == 1u))
+#define IF_INFINITE(id, isInfinite)                                                                \
+    if (isInfinite && isOfKind(light, kLight##id, has##id##Lights, kInfiniteKinds == 1u))
 
-Quadric quadricOf(Light light) { return loadQuadric(light.primitive & ~kQuadricBit); }
-
-/// Samples a point on the light to illuminate `reference`.
-LightSample sampleLight(Light light, vec3 reference, vec2 u) {
-    if (isInfiniteLight(light))
-        return sampleBackgroundLight(u);
-    if (isTriangleLight(light))
-        return sampleTriangleLight(loadTriangle(light.primitive), light.area, reference, u);
-    Quadric quadric = quadricOf(light);
-    if (isSphereLight(light))
-        return sampleSphereLight(quadric, light.area, reference, u);
-    return sampleQuadricLight(light.kind, quadric, light.area, reference, u);
-}
-
-/// Density per solid angle with which sampleLight chooses a point that `reference` sees. The light
-/// is not infinite. 0 on the far side of a closed light: only a ray through a transparent point of
-/// its near side gets there.
-float areaLightPdf(Light light, vec3 reference, LightPoint point) {
-    if (hasQuadricLights && !isTriangleLight(light)) {
-        Quadric quadric = quadricOf(light);
-        if (hasAlpha && isOnFarSide(quadric, reference, point.position, point.normal))
-            return 0.0;
-        if (isSphereLight(light))
-            return sphereLightPdf(quadric, light.area, reference, point);
+/// A point on the light for lighting `shadingPoint`.
+LightSample sampleLight(Light light, vec3 shadingPoint, vec2 u) {
+    LightSample result = LightSample(pointAtInfinity(vec3(0.0)), 0.0);
+    if (isInfiniteLight(light)) {
+#define LIGHT(id, isInfinite, people)                                                              \
+    IF_INFINITE(id, isInfinite) result = sample##id##Light(light, shadingPoint, u);
+#include "shared/feature_table.h"
+    } else {
+#define LIGHT(id, isInfinite, people)                                                              \
+    IF_FINITE(id, isInfinite) result = sample##id##Light(light, shadingPoint, u);
+#include "shared/feature_table.h"
     }
-    return solidAnglePdf(light.area, reference, point.position, point.normal);
+    return result;
 }
 
-/// Density per solid angle with which sampleLight chooses a direction of an infinite light.
-float infiniteLightPdf(Light light, vec3 wi) { return backgroundLightPdf(wi); }
+/// Density per solid angle with which sampleLight chooses a point that is seen from `shadingPoint`,
+/// of a light that is not infinite: 0 on the far side of a closed light, which only a ray through
+/// the alpha of its near side meets.
+float finiteLightPdf(Light light, vec3 shadingPoint, LightPoint point) {
+    float result = 0.0;
+#define LIGHT(id, isInfinite, people)                                                              \
+    IF_FINITE(id, isInfinite) result = pdfOf##id##Light(light, shadingPoint, point);
+#include "shared/feature_table.h"
+    return result;
+}
 
-/// Radiance of an infinite light from a direction.
-vec3 infiniteLightRadiance(Light light, vec3 wi) { return backgroundLightRadiance(light, wi); }
+/// Likewise of a direction to an infinite light.
+float infiniteLightPdf(Light light, vec3 shadingPoint, LightPoint point) {
+    float result = 0.0;
+#define LIGHT(id, isInfinite, people)                                                              \
+    IF_INFINITE(id, isInfinite) result = pdfOf##id##Light(light, shadingPoint, point);
+#include "shared/feature_table.h"
+    return result;
+}
+
+/// Radiance that arrives from a point of a light that is not infinite.
+vec3 finiteLightRadiance(Light light, LightPoint point) {
+    vec3 result = vec3(0.0);
+#define LIGHT(id, isInfinite, people)                                                              \
+    IF_FINITE(id, isInfinite) result = radianceOf##id##Light(light, point);
+#include "shared/feature_table.h"
+    return result;
+}
+
+/// Radiance that arrives from a direction of an infinite light.
+vec3 infiniteLightRadiance(Light light, LightPoint point) {
+    vec3 result = vec3(0.0);
+#define LIGHT(id, isInfinite, people)                                                              \
+    IF_INFINITE(id, isInfinite) result = radianceOf##id##Light(light, point);
+#include "shared/feature_table.h"
+    return result;
+}
 
 /// Radiance from a point of a light of any kind.
 vec3 lightRadiance(Light light, LightPoint point) {
-    return isInfiniteLight(light) ? infiniteLightRadiance(light, point.wi)
-                                  : areaLightRadiance(light, point);
+    return isInfiniteLight(light) ? infiniteLightRadiance(light, point)
+                                  : finiteLightRadiance(light, point);
 }
+
+#undef IF_FINITE
+#undef IF_INFINITE
 
 #endif

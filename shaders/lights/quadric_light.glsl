@@ -1,17 +1,17 @@
-// Disks, cylinders and cones are sampled by uniform points on their area (docs/models.md, "Quadric
-// lights"). From outside, only the parts of a closed convex surface that face the point are
-// visible; from inside, all of it is.
+// What lights that are quadrics have in common. They shine from uniform points on their area
+// (docs/models.md, "Quadric lights"), but for the sphere. A closed convex surface shows a point
+// outside only what faces it, and a point inside everything.
 #ifndef CALOTYPE_LIGHTS_QUADRIC_LIGHT_GLSL
 #define CALOTYPE_LIGHTS_QUADRIC_LIGHT_GLSL
 
+#include "buffers/packed_scene.glsl"
 #include "lights/area_light.glsl"
-#include "lights/cone_light.glsl"
-#include "lights/cylinder_light.glsl"
-#include "lights/disk_light.glsl"
 #include "shapes/quadric.glsl"
 #include "shapes/surface_coordinates.glsl"
 
-/// True if p, in the quadric's frame, is inside a sphere, cylinder or cone.
+Quadric quadricOf(Light light) { return loadQuadric(light.primitive & ~kQuadricBit); }
+
+/// True where p, in the quadric's frame, lies inside a sphere, cylinder or cone.
 bool isInsideQuadric(Quadric quadric, vec3 p) {
     if (quadric.kind == kSphere)
         return dot(p, p) < quadric.radius * quadric.radius;
@@ -21,28 +21,36 @@ bool isInsideQuadric(Quadric quadric, vec3 p) {
     return y <= yMax && y >= 0.0 && dot(p.xz, p.xz) < radius * radius;
 }
 
-/// True if the near side of a closed quadric hides this point of it from `reference`.
-bool isOnFarSide(Quadric quadric, vec3 reference, vec3 position, vec3 normal) {
-    bool facesAway = dot(reference - position, normal) < 0.0;
-    return quadric.kind != kDisk && facesAway &&
-           !isInsideQuadric(quadric, (reference - quadric.center) * worldFromQuadric(quadric));
+/// True for a point of a closed quadric that its own near side hides from `shadingPoint`.
+bool isOnFarSide(Quadric quadric, vec3 shadingPoint, vec3 position, vec3 normal) {
+    bool facesAway = dot(shadingPoint - position, normal) < 0.0;
+    return facesAway &&
+           !isInsideQuadric(quadric, (shadingPoint - quadric.center) * worldFromQuadric(quadric));
 }
 
-/// `kind` is Light.kind: a cylinder, a cone or a disk.
-LightSample sampleQuadricLight(uint kind, Quadric quadric, float area, vec3 reference, vec2 u) {
-    vec3 local;
-    if (hasCylinderLights && kind == kLightCylinder)
-        local = sampleCylinder(quadric.radius, quadric.extent, u);
-    else if (hasConeLights && kind == kLightCone)
-        local = sampleCone(quadric.radius, quadric.extent, u);
-    else
-        local = sampleDisk(quadric.radius, u);
+/// True for a point that a ray met on the far side: through the alpha of the near side.
+bool isMetOnFarSide(Light light, vec3 shadingPoint, LightPoint point) {
+    return hasAlpha && isOnFarSide(quadricOf(light), shadingPoint, point.position, point.normal);
+}
+
+/// A point of a quadric, given in the quadric's frame.
+LightPoint quadricLightPoint(Quadric quadric, vec3 local, vec3 shadingPoint) {
     QuadricPoint surface = quadricPoint(quadric, local);
     vec2 uv = hasAlpha ? quadricCoordinates(quadric, local).uv : vec2(0.0);
-    vec3 wi = normalize(surface.position - reference);
-    bool isHidden = isOnFarSide(quadric, reference, surface.position, surface.normal);
-    float pdf = isHidden ? 0.0 : solidAnglePdf(area, reference, surface.position, surface.normal);
-    return LightSample(LightPoint(wi, surface.position, surface.error, surface.normal, uv), pdf);
+    vec3 wi = normalize(surface.position - shadingPoint);
+    return LightPoint(wi, surface.position, surface.error, surface.normal, uv);
+}
+
+/// A uniform point of a closed quadric.
+LightSample closedQuadricSample(Light light, Quadric quadric, vec3 local, vec3 shadingPoint) {
+    LightPoint point = quadricLightPoint(quadric, local, shadingPoint);
+    bool isHidden = isOnFarSide(quadric, shadingPoint, point.position, point.normal);
+    return LightSample(point, isHidden ? 0.0 : uniformPointPdf(light, shadingPoint, point));
+}
+
+float closedQuadricPdf(Light light, vec3 shadingPoint, LightPoint point) {
+    return isMetOnFarSide(light, shadingPoint, point) ? 0.0
+                                                      : uniformPointPdf(light, shadingPoint, point);
 }
 
 #endif

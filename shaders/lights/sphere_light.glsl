@@ -5,34 +5,34 @@
 
 #include "core/frame.glsl"
 #include "core/trigonometry.glsl"
-#include "lights/area_light.glsl"
-#include "shapes/quadric.glsl"
-#include "shapes/surface_coordinates.glsl"
+#include "lights/quadric_light.glsl"
 
 /// 1 - cos of the half angle that a sphere subtends, from sin^2; without cancellation.
 float oneMinusConeCosine(float sin2ThetaMax) {
     return sin2ThetaMax / (1.0 + sqrt(max(1.0 - sin2ThetaMax, 0.0)));
 }
 
-/// (r / distance)^2 seen from `reference`: at least 1 from inside.
-float sphereSin2(Quadric sphere, vec3 reference) {
-    vec3 toReference = reference - sphere.center;
-    return sphere.radius * sphere.radius / dot(toReference, toReference);
+/// (r / distance)^2 as seen from `shadingPoint`: at least 1 from inside.
+float sphereSin2(Quadric sphere, vec3 shadingPoint) {
+    vec3 toShadingPoint = shadingPoint - sphere.center;
+    return sphere.radius * sphere.radius / dot(toShadingPoint, toShadingPoint);
 }
 
-float sphereLightPdf(Quadric sphere, float area, vec3 reference, LightPoint point) {
-    float sin2ThetaMax = sphereSin2(sphere, reference);
+/// Of a point on the near side.
+float spherePdf(Light light, Quadric sphere, vec3 shadingPoint, LightPoint point) {
+    float sin2ThetaMax = sphereSin2(sphere, shadingPoint);
     return sin2ThetaMax < 1.0 ? 1.0 / (kTwoPi * oneMinusConeCosine(sin2ThetaMax))
-                              : solidAnglePdf(area, reference, point.position, point.normal);
+                              : uniformPointPdf(light, shadingPoint, point);
 }
 
-/// Let theta be the angle of the sampled direction to the axis, from the reference to the centre.
-/// At the centre, the point is at the angle beta - theta to the axis, where sin beta = sin theta /
-/// sin thetaMax (law of sines). wi is the sampled direction, not a difference of positions. So a
-/// reference on the sphere itself gets no light, because the whole cone is below its surface.
-LightSample sampleSphereLight(Quadric sphere, float area, vec3 reference, vec2 u) {
-    vec3 toReference = reference - sphere.center;
-    float sin2ThetaMax = sphereSin2(sphere, reference);
+/// The direction from the centre to a point seen under the angle theta off the axis makes the angle
+/// beta - theta with the axis to the shading point, where sin beta = sin theta / sin thetaMax by
+/// the law of sines. The direction to the point is the cone's, not a difference of positions: a
+/// point on the sphere itself is then lit by nothing, since all of the cone lies below it.
+LightSample sampleSphereLight(Light light, vec3 shadingPoint, vec2 u) {
+    Quadric sphere = quadricOf(light);
+    vec3 toShadingPoint = shadingPoint - sphere.center;
+    float sin2ThetaMax = sphereSin2(sphere, shadingPoint);
     bool outside = sin2ThetaMax < 1.0;
     vec2 phi = sinCosTwoPi(u.y);
     float oneMinusCos = outside ? u.x * oneMinusConeCosine(sin2ThetaMax) : 0.0;
@@ -49,17 +49,27 @@ LightSample sampleSphereLight(Quadric sphere, float area, vec3 reference, vec2 u
         cosAlpha = 1.0 - 2.0 * u.x;
         sinAlpha = 2.0 * sqrt(u.x * (1.0 - u.x));
     }
-    float distance2 = dot(toReference, toReference);
-    vec3 axis = distance2 > 0.0 ? toReference * inversesqrt(distance2) : vec3(0.0, 1.0, 0.0);
+    float distance2 = dot(toShadingPoint, toShadingPoint);
+    vec3 axis = distance2 > 0.0 ? toShadingPoint * inversesqrt(distance2) : vec3(0.0, 1.0, 0.0);
     mat3 worldFromCone = worldFromLocal(axis);
     vec3 direction = worldFromCone * vec3(sinAlpha * phi.y, sinAlpha * phi.x, cosAlpha);
     vec3 local = direction * worldFromQuadric(sphere);
     QuadricPoint surface = quadricPoint(sphere, local);
     vec3 alongCone = worldFromCone * vec3(sinTheta * phi.y, sinTheta * phi.x, oneMinusCos - 1.0);
-    vec3 wi = outside ? alongCone : normalize(surface.position - reference);
+    vec3 wi = outside ? alongCone : normalize(surface.position - shadingPoint);
     vec2 uv = hasAlpha ? sphereCoordinates(local).uv : vec2(0.0);
     LightPoint point = LightPoint(wi, surface.position, surface.error, surface.normal, uv);
-    return LightSample(point, sphereLightPdf(sphere, area, reference, point));
+    return LightSample(point, spherePdf(light, sphere, shadingPoint, point));
+}
+
+float pdfOfSphereLight(Light light, vec3 shadingPoint, LightPoint point) {
+    return isMetOnFarSide(light, shadingPoint, point)
+               ? 0.0
+               : spherePdf(light, quadricOf(light), shadingPoint, point);
+}
+
+vec3 radianceOfSphereLight(Light light, LightPoint point) {
+    return areaLightRadiance(light, point);
 }
 
 #endif

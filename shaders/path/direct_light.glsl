@@ -8,9 +8,12 @@
 #include "path/mis.glsl"
 #include "path/visibility.glsl"
 
-/// The alpha of the emitter's own surface: the share of its light that it emits there.
+/// The share of its light that an emitter sends out: less than 1 of a primitive with holes in it.
 float emitterAlpha(Light light, vec2 coordinates) {
-    bool isTriangle = isTriangleLight(light);
+    if (light.primitive == kNone)
+        return 1.0;
+    bool isTriangle =
+        hasTriangleLights && (!hasQuadricLights || (light.primitive & kQuadricBit) == 0u);
     uint materialIndex =
         isTriangle ? loadTriangle(light.primitive).material : quadricOf(light).material;
     vec2 uv = isTriangle ? triangleUv(loadTriangleUvs(light.primitive), coordinates) : coordinates;
@@ -31,7 +34,7 @@ Ray rayToLight(Light light, LightPoint point, vec3 origin) {
 /// The radiance from a point of the light, reduced by the alpha of its own surface.
 vec3 arrivingRadiance(Light light, LightPoint point) {
     vec3 radiance = lightRadiance(light, point);
-    if (hasLightAlpha && !isInfiniteLight(light))
+    if (hasLightAlpha)
         radiance *= emitterAlpha(light, point.coordinates);
     return radiance;
 }

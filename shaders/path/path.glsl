@@ -22,25 +22,28 @@ float bsdfWeight(Path path, float lightPdf) {
     return path.bsdfPdf >= kSpecularPdf || lightPdf == 0.0 ? 1.0 : 0.0;
 }
 
-/// Light from infinitely far away.
+/// Where the path's ray comes from: its last event, whatever the ray passed through since.
+vec3 shadingPointOf(Path path) { return hasAlpha ? path.vertex : path.rayOrigin; }
+
+/// Light that comes from infinitely far away.
 vec3 infiniteLight(Path path, Light light) {
-    float pdf = infiniteLightPdf(light, path.rayDirection) * light.selectionProbability;
-    return infiniteLightRadiance(light, path.rayDirection) * bsdfWeight(path, pdf);
+    LightPoint point = pointAtInfinity(path.rayDirection);
+    float pdf = infiniteLightPdf(light, shadingPointOf(path), point);
+    return infiniteLightRadiance(light, point) * bsdfWeight(path, pdf * light.selectionProbability);
 }
 
 bool pathMiss(inout Path path, PathLimits limits) {
-    if (hasBackground && limits.backgroundLight != kNone)
-        addRadiance(path, path.throughput * infiniteLight(path, loadLight(limits.backgroundLight)),
+    if (hasInfiniteLights && limits.infiniteLight != kNone)
+        addRadiance(path, path.throughput * infiniteLight(path, loadLight(limits.infiniteLight)),
                     limits);
     return false;
 }
 
 /// Light that the surface emits towards the ray's origin.
 vec3 emittedLight(Path path, Interaction surface, Light light) {
-    vec3 reference = hasAlpha ? path.vertex : path.rayOrigin;
     LightPoint point = lightPoint(path.rayDirection, surface.position, surface.ng);
-    float pdf = areaLightPdf(light, reference, point);
-    return areaLightRadiance(light, point) * bsdfWeight(path, pdf * light.selectionProbability);
+    float pdf = finiteLightPdf(light, shadingPointOf(path), point);
+    return finiteLightRadiance(light, point) * bsdfWeight(path, pdf * light.selectionProbability);
 }
 
 /// What a ray met.

@@ -24,8 +24,8 @@ struct Path {
 struct PathLimits {
     uint maxBounces;
     uint lightCount;
-    float indirectClamp;  ///< as in RenderParameters
-    uint backgroundLight; ///< likewise
+    float indirectClamp; ///< as in RenderParameters
+    uint infiniteLight;  ///< likewise
 };
 
 Ray pathRay(Path path) { return Ray(path.rayOrigin, path.rayTMax, path.rayDirection); }

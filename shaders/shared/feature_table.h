@@ -2,7 +2,25 @@
 // display name. Each line defines kFeatureTriangles (shared/specialization.h), hasTriangles
 // (config/features.glsl), the name (host/pack/scene_features.cpp) and a test (kTrianglesCase,
 // tests/support/feature_cases.cpp). The feature's number is the line's distance from the first, so
-// there must be no other line between them.
+// there is no line between them.
+//
+// LIGHT is a kind of light: identifier, whether it is infinitely far away, and name. Its feature is
+// TriangleLights. From its line also come kLightTriangle (shared/scene_structs.h) and the calls of
+// its functions (lights/light.glsl). These lines follow each other.
+//
+// What the file that includes this leaves undefined is empty, and a LIGHT is a FEATURE.
+#ifndef BEGIN_FEATURES
+#define BEGIN_FEATURES
+#endif
+#ifndef FEATURE
+#define FEATURE(id, people)
+#endif
+#ifndef LIGHT
+#define LIGHT(id, isInfinite, people) FEATURE(id##Lights, people)
+#endif
+#ifndef END_FEATURES
+#define END_FEATURES
+#endif
 BEGIN_FEATURES
 FEATURE(Triangles, "triangles")
 FEATURE(SmoothNormals, "smooth normals")
@@ -10,15 +28,15 @@ FEATURE(Spheres, "spheres") // these four are in the order of Quadric::kind
 FEATURE(Cylinders, "cylinders")
 FEATURE(Cones, "cones")
 FEATURE(Disks, "disks")
-FEATURE(ManyQuadrics, "many quadrics") // too many for rays to wait before quadrics
-FEATURE(TriangleLights, "triangle lights")
-FEATURE(SphereLights, "sphere lights") // these four are in the order of Quadric::kind
-FEATURE(CylinderLights, "cylinder lights")
-FEATURE(ConeLights, "cone lights")
-FEATURE(DiskLights, "disk lights")
+FEATURE(ManyQuadrics, "many quadrics") // too many for rays to wait with them
+LIGHT(Triangle, false, "triangle lights")
+LIGHT(Sphere, false, "sphere lights") // these four are in the order of Quadric::kind
+LIGHT(Cylinder, false, "cylinder lights")
+LIGHT(Cone, false, "cone lights")
+LIGHT(Disk, false, "disk lights")
+LIGHT(Background, true, "a background")
 FEATURE(HiddenLights, "hidden lights")
 FEATURE(LightAlpha, "lights with alpha")
-FEATURE(Background, "a background")
 FEATURE(Diffuse, "diffuse")
 FEATURE(Ggx, "GGX")
 FEATURE(Mirrors, "mirrors") // GGX of almost no roughness
@@ -38,4 +56,5 @@ FEATURE(Orthographic, "an orthographic camera")
 END_FEATURES
 #undef BEGIN_FEATURES
 #undef FEATURE
+#undef LIGHT
 #undef END_FEATURES

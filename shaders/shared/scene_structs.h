@@ -2,6 +2,7 @@
 #ifndef CALOTYPE_SHARED_SCENE_STRUCTS_H
 #define CALOTYPE_SHARED_SCENE_STRUCTS_H
 
+#include "shared/specialization.h"
 #include "shared/types.h"
 
 CALOTYPE_BEGIN_SHARED
@@ -40,13 +41,21 @@ CALOTYPE_CONSTANT uint kTextureIsNearest = 8u;
 CALOTYPE_CONSTANT uint kTextureClamps = 16u;
 CALOTYPE_CONSTANT uint kTextureMirrors = 32u;
 
-// Light::kind. The kinds of quadrics are in the order of Quadric::kind.
-CALOTYPE_CONSTANT uint kLightTriangle = 0;
-CALOTYPE_CONSTANT uint kLightSphere = 1;
-CALOTYPE_CONSTANT uint kLightCylinder = 2;
-CALOTYPE_CONSTANT uint kLightCone = 3;
-CALOTYPE_CONSTANT uint kLightDisk = 4;
-CALOTYPE_CONSTANT uint kLightBackground = 5; ///< all directions, infinitely far away
+// Light::kind, in the order of the features: kLightTriangle, kLightSphere...
+#define LIGHT(id, isInfinite, people)                                                              \
+    CALOTYPE_CONSTANT uint kLight##id = kFeature##id##Lights - kFeatureTriangleLights;
+#include "shared/feature_table.h"
+
+// A bit for each kind that is infinitely far away.
+#define BEGIN_FEATURES CALOTYPE_CONSTANT uint kInfiniteLightKinds = 0u
+#define LIGHT(id, isInfinite, people) | ((isInfinite ? 1u : 0u) << kLight##id)
+#define END_FEATURES ;
+#include "shared/feature_table.h"
+
+/// Whether lights of that kind are infinitely far away: rays that meet no surface find them.
+CALOTYPE_FUNCTION bool isInfiniteKind(uint kind) {
+    return ((kInfiniteLightKinds >> kind) & 1u) != 0u;
+}
 
 // Light::flags.
 CALOTYPE_CONSTANT uint kLightEmitsFromBack = 1u;

@@ -21,10 +21,12 @@ using uint = uint32_t;
 #define CALOTYPE_BEGIN_SHARED namespace calotype::shared {
 #define CALOTYPE_END_SHARED }
 #define CALOTYPE_CONSTANT inline constexpr
+#define CALOTYPE_FUNCTION constexpr
 #else
 #define CALOTYPE_BEGIN_SHARED
 #define CALOTYPE_END_SHARED
 #define CALOTYPE_CONSTANT const
+#define CALOTYPE_FUNCTION
 #endif
 
 #endif

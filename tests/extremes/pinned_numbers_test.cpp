@@ -83,7 +83,8 @@ TEST_F(PinnedNumbersTest, FindPointsOfLights) {
                     faceAt(packed.quadrics[0], Vec3(point.position), Vec3(point.normal));
                 ASSERT_LE(std::abs(face.distance), point.error);
             }
-            const glm::dvec3 away = glm::dvec3(queries[i].reference) - glm::dvec3(point.position);
+            const glm::dvec3 away =
+                glm::dvec3(queries[i].shadingPoint) - glm::dvec3(point.position);
             const double facing = glm::dot(away, glm::dvec3(point.normal)) / glm::length(away);
             if (std::abs(facing) > 1e-5 && point.pdf > 0.0f) {
                 ASSERT_EQ(point.emitted.x, facing > 0.0 ? 1.0f : 0.0f);

@@ -25,7 +25,7 @@ const glm::vec3 kRadiance(3.0f, 2.0f, 1.0f);
 struct LightCase {
     std::string name;
     Shape shape;
-    glm::dvec3 reference;
+    glm::dvec3 shadingPoint;
 };
 
 RigidTransform tilted() {
@@ -41,8 +41,8 @@ std::vector<LightCase> lightCases() {
         return singleTriangle(seen(0, 0, 0), seen(1, 0, 0), seen(0.3, 0, 0.8));
     };
     std::vector<LightCase> cases;
-    const auto add = [&](const std::string& name, auto shape, const glm::dvec3& reference) {
-        cases.push_back({name, shapeOf(std::move(shape), 1), reference});
+    const auto add = [&](const std::string& name, auto shape, const glm::dvec3& shadingPoint) {
+        cases.push_back({name, shapeOf(std::move(shape), 1), shadingPoint});
     };
     add("TriangleNear", triangle(), seen(0.4, 0.2, 0.3));
     add("TriangleFar", triangle(), seen(30.0, 40.0, -20.0));
@@ -71,7 +71,7 @@ std::vector<LightCase> lightCases() {
 
 using Moments = std::array<std::vector<double>, 4>;
 
-/// A cone of directions that surely holds a light, as seen from the reference.
+/// A cone of directions that surely holds a light, as seen from the shading point.
 struct DirectionCone {
     glm::dmat3 frame; ///< axis y
     double cosine;    ///< of the half angle; -1 is all directions
@@ -108,13 +108,13 @@ protected:
         if (auto* mesh = std::get_if<Mesh>(&scene.shapes[0].geometry))
             mesh->triangles[0].material = 1;
         packed_ = packAsProgram(scene).packed;
-        reference_ = glm::vec3(GetParam().reference - packed_.origin);
+        shadingPoint_ = glm::vec3(GetParam().shadingPoint - packed_.origin);
         sample();
     }
 
-    /// Whether a direction from the reference meets the light.
+    /// Whether a direction from the shading point meets the light.
     bool meetsLight(const glm::dvec3& direction) const {
-        const Line line{Vec3(reference_), Vec3(direction)};
+        const Line line{Vec3(shadingPoint_), Vec3(direction)};
         if (packed_.lights[0].primitive & shared::kQuadricBit)
             return firstHit(packed_.quadrics[0], line) < kInfinity;
         const TriangleCrossing crossing = crossTriangle(packed_.triangles[0], line);
@@ -134,7 +134,7 @@ protected:
     }
 
     glm::dvec3 directionTo(const shared::TestLightSample& point) const {
-        return glm::normalize(glm::dvec3(point.position) - glm::dvec3(reference_));
+        return glm::normalize(glm::dvec3(point.position) - glm::dvec3(shadingPoint_));
     }
 
     DirectionCone coneOfSamples() const {
@@ -150,7 +150,7 @@ protected:
     }
 
     GpuScene packed_;
-    glm::vec3 reference_;
+    glm::vec3 shadingPoint_;
     std::vector<shared::TestLightSample> samples_;
 
 private:
@@ -158,7 +158,7 @@ private:
         RandomNumbers random(33);
         std::vector<shared::TestLightQuery> queries;
         for (uint32_t i = 0; i < kSamples; ++i)
-            queries.push_back({reference_,
+            queries.push_back({shadingPoint_,
                                0,
                                {random.deviceUnit(), random.deviceUnit(), 0.0f, 0.0f},
                                1,
@@ -167,7 +167,7 @@ private:
                                0});
         for (const float x : {0.0f, 1.0f - 0x1p-24f})
             for (const float y : {0.0f, 1.0f - 0x1p-24f})
-                queries.push_back({reference_, 0, {x, y, 0.0f, 0.0f}, 1, 0, 0, 0});
+                queries.push_back({shadingPoint_, 0, {x, y, 0.0f, 0.0f}, 1, 0, 0, 0});
         const SceneBuffers buffers(testDevice(), packed_);
         samples_ = runKernel<shared::TestLightSample>(kLightSampleSpirv, queries,
                                                       buffers.bindings(), kTestInputBinding);
@@ -179,9 +179,9 @@ TEST_P(LightSamplingTest, LiesOnTheLightWithOneDensity) {
     for (const shared::TestLightSample& point : samples_) {
         ASSERT_TRUE(std::isfinite(point.pdf) && point.pdf >= 0.0f);
         EXPECT_LE(distanceFromLight(point), point.error);
-        const glm::dvec3 toReference = glm::dvec3(reference_) - glm::dvec3(point.position);
-        const double facing = glm::dot(toReference, glm::dvec3(point.normal));
-        if (std::abs(facing) > 1e-6 * glm::length(toReference))
+        const glm::dvec3 toShadingPoint = glm::dvec3(shadingPoint_) - glm::dvec3(point.position);
+        const double facing = glm::dot(toShadingPoint, glm::dvec3(point.normal));
+        if (std::abs(facing) > 1e-6 * glm::length(toShadingPoint))
             EXPECT_EQ(glm::vec3(point.emitted), facing > 0.0 ? kRadiance : glm::vec3(0.0f));
         if (point.pdf > 0.0f)
             worstPdf = std::max(worstPdf, std::abs(double(point.pdfOfHit) / point.pdf - 1.0));

@@ -62,7 +62,7 @@ void reverseLights(GpuScene& packed) {
         relink(triangle.light);
     for (shared::Quadric& quadric : packed.quadrics)
         relink(quadric.light);
-    relink(packed.backgroundLight);
+    relink(packed.infiniteLight);
 }
 
 TileMeans render(const GpuScene& packed, const RenderSettings& settings) {
@@ -81,7 +81,7 @@ TEST_F(LightOrderTest, PictureIsTheSameInAnyOrder) {
     const TileMeans inOrder = render(packed, squareSettings(scene, kSide, 11));
     reverseLights(packed);
     ASSERT_EQ(packed.lights[0].kind, shared::kLightBackground);
-    ASSERT_EQ(packed.backgroundLight, 0u);
+    ASSERT_EQ(packed.infiniteLight, 0u);
     const TileMeans reversed = render(packed, squareSettings(scene, kSide, 12));
 
     const Agreement agreement = compareIndependent(inOrder, reversed);

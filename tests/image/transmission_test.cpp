@@ -95,7 +95,7 @@ std::vector<glm::dvec3> onDevice(const Scene& scene, uint32_t side,
     std::vector<shared::TestPath> paths;
     for (const reference::SampleId& id : ids)
         paths.push_back({packed.camera, id.pixel, glm::uvec2(side), id.sampleIndex, id.seed,
-                         scene.render.maxBounces, packed.lightCount, packed.backgroundLight, 0, 0,
+                         scene.render.maxBounces, packed.lightCount, packed.infiniteLight, 0, 0,
                          0});
     const SceneBuffers buffers(testDevice(), packed);
     const std::vector<vk::Bool32> features(packed.features.enabled.begin(),

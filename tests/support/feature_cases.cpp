@@ -132,10 +132,11 @@ const CaseOfFeature kDiskLightsCase = {light(kPlate), darkenDisk};
 const CaseOfFeature kHiddenLightsCase = {camera(hideLamp)};
 const CaseOfFeature kLightAlphaCase = {
     camera([](Scene& scene) { scene.materials[kLamp].opacity = 0.5; })};
-const CaseOfFeature kBackgroundCase = {camera([](Scene& scene) {
-                                           scene.background = {0.3, 0.4, 0.5};
-                                       }),
-                                       [](Scene& scene) { scene.background = glm::dvec3(0.0); }};
+const CaseOfFeature kBackgroundLightsCase = {
+    camera([](Scene& scene) {
+        scene.background = {0.3, 0.4, 0.5};
+    }),
+    [](Scene& scene) { scene.background = glm::dvec3(0.0); }};
 const CaseOfFeature kDiffuseCase = {camera([](Scene&) {})};
 const CaseOfFeature kGgxCase = {ball(ofType(MaterialType::Nonmetal))};
 const CaseOfFeature kMirrorsCase = {[](SceneBuilder& builder) {

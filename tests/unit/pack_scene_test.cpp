@@ -120,8 +120,8 @@ TEST(PackSceneTest, BackgroundIsALightOfItsOwnKind) {
     scene.background = glm::dvec3(0.5, 16.0, 1.0);
     const GpuScene packed = packAsProgram(scene).packed;
     ASSERT_EQ(packed.lightCount, 2u);
-    ASSERT_LT(packed.backgroundLight, packed.lightCount);
-    const shared::Light& background = packed.lights[packed.backgroundLight];
+    ASSERT_LT(packed.infiniteLight, packed.lightCount);
+    const shared::Light& background = packed.lights[packed.infiniteLight];
     EXPECT_EQ(background.kind, shared::kLightBackground);
     EXPECT_EQ(background.primitive, shared::kNone);
     EXPECT_EQ(background.radiance, glm::vec3(0.5f, 16.0f, 1.0f));

@@ -172,8 +172,8 @@ TEST(ReferenceLightsTest, AreChosenByTheirPower) {
         EXPECT_NEAR(lit.lights.ofPrimitive(i)->selectionProbability, 2.0 * areas[i] / sum, 1e-6);
         EXPECT_EQ(lit.lights.ofPrimitive(i)->selectionProbability, double(counts[i]) / kNumbers);
     }
-    EXPECT_NEAR(lit.lights.background()->selectionProbability, background / sum, 1e-6);
-    EXPECT_EQ(lit.lights.background()->selectionProbability, double(counts[3]) / kNumbers);
+    EXPECT_NEAR(lit.lights.infinite()->selectionProbability, background / sum, 1e-6);
+    EXPECT_EQ(lit.lights.infinite()->selectionProbability, double(counts[3]) / kNumbers);
     for (uint32_t i = 0; i < 4; ++i)
         EXPECT_NEAR(places[i] / counts[i], 0.5, 1e-9);
 }

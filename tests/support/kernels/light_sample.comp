@@ -17,10 +17,10 @@ void main() {
         return;
     TestLightQuery query = queries[i];
     Light light = loadLight(query.light);
-    LightSample chosen = sampleLight(light, query.reference, query.u.xy);
+    LightSample chosen = sampleLight(light, query.shadingPoint, query.u.xy);
     LightPoint point = chosen.point;
-    float pdf = areaLightPdf(light, query.reference, point);
-    vec3 emitted = areaLightRadiance(light, point);
+    float pdf = finiteLightPdf(light, query.shadingPoint, point);
+    vec3 emitted = finiteLightRadiance(light, point);
     LightChoice choice = chooseLight(query.lightCount, query.u.zw);
     samples[i] = TestLightSample(point.position, point.error, point.normal, chosen.pdf, pdf,
                                  choice.light, 0u, 0u, vec4(emitted, 0.0));

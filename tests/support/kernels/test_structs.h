@@ -44,7 +44,7 @@ struct TestOffset {
 };
 
 struct TestLightQuery {
-    vec3 reference;
+    vec3 shadingPoint;
     uint light;
     vec4 u; ///< x, y: on the light; z, w: choice of a light, and between two such numbers
     uint lightCount;
@@ -63,11 +63,11 @@ struct TestLightSample {
     float error;
     vec3 normal;
     float pdf;
-    float pdfOfHit; ///< areaLightPdf at the same point
+    float pdfOfHit; ///< finiteLightPdf at the same point
     uint chosen;    ///< light picked by u.zw
     uint pad0;
     uint pad1;
-    vec4 emitted; ///< towards the reference
+    vec4 emitted; ///< towards the shading point
 };
 
 struct TestScattering {
@@ -125,7 +125,7 @@ struct TestPath {
     uint seed;
     uint maxBounces;
     uint lightCount;
-    uint backgroundLight;
+    uint infiniteLight;
     uint pad0;
     uint pad1;
     uint pad2;
