@@ -7,7 +7,7 @@ namespace calotype {
 namespace {
 
 void packDielectric(const Material&, shared::Material& packed) {
-    packed.lobes = shared::kLobeDielectric;
+    packed.lobes = shared::kLobeDielectric | shared::kColorIsTint;
 }
 
 } // namespace

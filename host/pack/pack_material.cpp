@@ -7,17 +7,9 @@
 namespace calotype {
 namespace {
 
-/// The kernel feature for each lobe.
-struct LobeFeature {
-    uint32_t lobe;
-    uint32_t feature;
-};
-constexpr LobeFeature kLobeFeatures[] = {
-    {shared::kLobeDiffuse, shared::kFeatureDiffuse},
-    {shared::kLobeGgx, shared::kFeatureGgx},
-    {shared::kLobeBlinnPhong, shared::kFeatureBlinnPhong},
-    {shared::kLobeDielectric, shared::kFeatureDielectrics},
-};
+// The bits of the lobes are below those of the flags.
+#define LOBE(id, member, people) static_assert(shared::kLobe##id < shared::kColorIsF0);
+#include "shared/feature_table.h"
 
 bool mayBeMirror(const Material& material) {
     const double alpha = material.roughness * material.roughness;
@@ -29,21 +21,28 @@ struct PackedSlot {
     uint32_t Material::*texture;
     uint32_t shared::Material::*packed;
     uint32_t feature;
-    bool isOfGgx; ///< only for materials with a GGX lobe
+    bool isOfEveryKind; ///< and not of those alone that have it as a parameter
 };
 constexpr PackedSlot kSlots[] = {
-    {&Material::colorTexture, &shared::Material::colorTexture, shared::kFeatureColorTextures,
-     false},
+    {&Material::colorTexture, &shared::Material::colorTexture, shared::kFeatureColorTextures, true},
     {&Material::roughnessTexture, &shared::Material::roughnessTexture,
-     shared::kFeatureRoughnessTextures, true},
+     shared::kFeatureRoughnessTextures, false},
     {&Material::specularTexture, &shared::Material::specularTexture,
-     shared::kFeatureSpecularTextures, true},
-    {&Material::normalMap, &shared::Material::normalMap, shared::kFeatureNormalMaps, false},
-    {&Material::alphaTexture, &shared::Material::alphaTexture, shared::kFeatureAlpha, false},
+     shared::kFeatureSpecularTextures, false},
+    {&Material::normalMap, &shared::Material::normalMap, shared::kFeatureNormalMaps, true},
+    {&Material::alphaTexture, &shared::Material::alphaTexture, shared::kFeatureAlpha, true},
 };
 static_assert(std::ranges::equal(kSlots, kMaterialTextures, {}, &PackedSlot::texture));
 
-/// Sets the packed index of texture slots, and the kernel features that they need.
+/// Whether a material of the kind has a number that may be that texture.
+bool hasParameter(const MaterialKind& kind, uint32_t Material::*texture) {
+    return std::ranges::any_of(kind.parameters, [&](const MaterialParameter& parameter) {
+        const auto* number = std::get_if<NumberParameter>(&parameter.value);
+        return number && number->texture == texture;
+    });
+}
+
+/// Gives texture slots their packed index, and tells the kernel what it will find there.
 class SlotPacker {
 public:
     SlotPacker(std::span<const Texture> sceneTextures, TexturePacker& textures,
@@ -79,20 +78,22 @@ shared::Material packMaterial(const Material& material, std::span<const Texture>
     packed.kd = static_cast<float>(material.kd);
     packed.exponent = static_cast<float>(material.exponent);
     packed.eta = static_cast<float>(material.ior / material.exteriorIor);
-    kindOf(material).pack(material, packed);
+    const MaterialKind& kind = kindOf(material);
+    kind.pack(material, packed);
 
     const bool hasGgx = (packed.lobes & shared::kLobeGgx) != 0;
     const auto enable = [&](uint32_t feature, bool needed) {
         features.enabled[feature] = features.enabled[feature] || needed;
     };
-    for (const LobeFeature& lobe : kLobeFeatures)
-        enable(lobe.feature, (packed.lobes & lobe.lobe) != 0);
+#define LOBE(id, member, people)                                                                   \
+    enable(shared::kFeature##id, (packed.lobes & shared::kLobe##id) != 0);
+#include "shared/feature_table.h"
     enable(shared::kFeatureMirrors, hasGgx && mayBeMirror(material));
     enable(shared::kFeatureAlpha, isTransparent(material));
 
     SlotPacker slots(sceneTextures, textures, features);
     for (const PackedSlot& slot : kSlots) {
-        const bool isRead = hasGgx || !slot.isOfGgx;
+        const bool isRead = slot.isOfEveryKind || hasParameter(kind, slot.texture);
         packed.*slot.packed =
             slots.pack(isRead ? material.*slot.texture : Material::kNoTexture, slot.feature);
     }

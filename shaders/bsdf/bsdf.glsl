@@ -1,5 +1,5 @@
 // How a material scatters light at a point: the mixture of its lobes (docs/models.md, "Mixture of
-// lobes").
+// lobes"). LOBE is what is done for each lobe of shared/feature_table.h.
 #ifndef CALOTYPE_BSDF_BSDF_GLSL
 #define CALOTYPE_BSDF_BSDF_GLSL
 
@@ -17,17 +17,16 @@ struct LobeShare {
     float chance; ///< its length: the probability with which the lobe is sampled
 };
 
+/// Where a number that chooses a lobe lies in its share, from 0 to 1.
+float placeIn(LobeShare share, float u) { return (u - share.start) / share.chance; }
+
 /// A material at a point, seen from `wo`. All normals are turned to the viewer.
 struct Bsdf {
     uint lobes; ///< as in Material
-    DiffuseLobe diffuse;
-    GgxLobe ggx;
-    BlinnPhongLobe blinnPhong;
-    DielectricLobe dielectric;
-    LobeShare diffuseShare;
-    LobeShare ggxShare;
-    LobeShare blinnPhongShare;
-    LobeShare dielectricShare;
+#define LOBE(id, member, people)                                                                   \
+    id##Lobe member;                                                                               \
+    LobeShare member##Share;
+#include "shared/feature_table.h"
     vec3 ng;
     vec3 horizon; ///< normal of the plane below which nothing is reflected
     vec3 wo;      ///< in the shading frame
@@ -64,23 +63,15 @@ LobeShare lobeShare(float start, float end, float total) {
 
 /// Divides [0, 1) among the lobes in proportion to their albedos.
 void shareOut(inout Bsdf bsdf) {
-    float diffuse = 0.0, ggx = 0.0, blinnPhong = 0.0, dielectric = 0.0;
-    if (hasDiffuse && hasLobe(bsdf, kLobeDiffuse))
-        diffuse = lobeAlbedo(bsdf.diffuse, bsdf.wo);
-    if (hasGgx && hasLobe(bsdf, kLobeGgx))
-        ggx = lobeAlbedo(bsdf.ggx, bsdf.wo);
-    if (hasBlinnPhong && hasLobe(bsdf, kLobeBlinnPhong))
-        blinnPhong = lobeAlbedo(bsdf.blinnPhong, bsdf.wo);
-    if (hasDielectrics && hasLobe(bsdf, kLobeDielectric))
-        dielectric = lobeAlbedo(bsdf.dielectric, bsdf.wo);
-    float ggxStart = diffuse;
-    float blinnPhongStart = ggxStart + ggx;
-    float dielectricStart = blinnPhongStart + blinnPhong;
-    float total = dielectricStart + dielectric;
-    bsdf.diffuseShare = lobeShare(0.0, ggxStart, total);
-    bsdf.ggxShare = lobeShare(ggxStart, blinnPhongStart, total);
-    bsdf.blinnPhongShare = lobeShare(blinnPhongStart, dielectricStart, total);
-    bsdf.dielectricShare = lobeShare(dielectricStart, total, total);
+    float total = 0.0;
+#define LOBE(id, member, people)                                                                   \
+    float member##Start = total;                                                                   \
+    if (has##id && hasLobe(bsdf, kLobe##id))                                                       \
+        total += lobeAlbedo(bsdf.member, bsdf.wo);                                                 \
+    float member##End = total;
+#include "shared/feature_table.h"
+#define LOBE(id, member, people) bsdf.member##Share = lobeShare(member##Start, member##End, total);
+#include "shared/feature_table.h"
 }
 
 /// `horizon` is the normal of the plane below which light is cut off: ng, or the interpolated
@@ -100,19 +91,19 @@ Bsdf makeBsdf(SurfaceParameters surface, vec3 ng, vec3 ns, vec3 horizon, vec3 wo
     // frame's axes. So a view along the surface may come out below it, by less than 1e-6.
     bsdf.wo = vec3(wo.xy, greater(wo.z, 1e-6));
     surface.eta = isOutside ? surface.eta : 1.0 / surface.eta;
-    bsdf.diffuse = makeDiffuse(surface);
-    bsdf.ggx = makeGgx(surface);
-    bsdf.blinnPhong = makeBlinnPhong(surface);
-    bsdf.dielectric = makeDielectric(surface);
+#define LOBE(id, member, people) bsdf.member = make##id(surface);
+#include "shared/feature_table.h"
     shareOut(bsdf);
     return bsdf;
 }
 
 /// True if the surface scatters to certain directions only, which light sampling never finds.
 bool isSpecular(Bsdf bsdf) {
-    bool hasDensity = hasDiffuse && hasLobe(bsdf, kLobeDiffuse) && bsdf.diffuseShare.chance > 0.0;
-    hasDensity = hasDensity || (hasGgx && hasLobe(bsdf, kLobeGgx) && !isSpecular(bsdf.ggx));
-    hasDensity = hasDensity || (hasBlinnPhong && hasLobe(bsdf, kLobeBlinnPhong));
+    bool hasDensity = false;
+#define LOBE(id, member, people)                                                                   \
+    if (has##id && hasLobe(bsdf, kLobe##id) && !isSpecular(bsdf.member))                           \
+        hasDensity = hasDensity || bsdf.member##Share.chance > 0.0;
+#include "shared/feature_table.h"
     return !hasDensity;
 }
 
@@ -130,18 +121,12 @@ BsdfValue evaluateBsdf(Bsdf bsdf, vec3 wiWorld) {
     BsdfValue result = BsdfValue(vec3(0.0), 0.0);
     if (!isScattered(bsdf, wi, wiWorld))
         return result;
-    if (hasDiffuse && hasLobe(bsdf, kLobeDiffuse)) {
-        result.value += evaluateLobe(bsdf.diffuse, bsdf.wo, wi);
-        result.pdf += bsdf.diffuseShare.chance * lobePdf(bsdf.diffuse, bsdf.wo, wi);
+#define LOBE(id, member, people)                                                                   \
+    if (has##id && hasLobe(bsdf, kLobe##id)) {                                                     \
+        result.value += evaluateLobe(bsdf.member, bsdf.wo, wi);                                    \
+        result.pdf += bsdf.member##Share.chance * lobePdf(bsdf.member, bsdf.wo, wi);               \
     }
-    if (hasGgx && hasLobe(bsdf, kLobeGgx)) {
-        result.value += evaluateLobe(bsdf.ggx, bsdf.wo, wi);
-        result.pdf += bsdf.ggxShare.chance * lobePdf(bsdf.ggx, bsdf.wo, wi);
-    }
-    if (hasBlinnPhong && hasLobe(bsdf, kLobeBlinnPhong)) {
-        result.value += evaluateLobe(bsdf.blinnPhong, bsdf.wo, wi);
-        result.pdf += bsdf.blinnPhongShare.chance * lobePdf(bsdf.blinnPhong, bsdf.wo, wi);
-    }
+#include "shared/feature_table.h"
     return result;
 }
 
@@ -151,21 +136,17 @@ struct ChosenSample {
     float chance;
 };
 
-/// A direction from one lobe: u.z chooses the lobe, u.xy the direction. The last lobe whose share
-/// starts at or below u.z is taken, so that rounding of the shares leaves no number without one.
+/// A direction from one lobe: u.xy pick within it, u.z the lobe, and, by its place in the lobe's
+/// share, within it. It is the last lobe whose share does not start above u.z, so that rounding of
+/// the shares leaves no number without a lobe.
 ChosenSample sampleOneLobe(Bsdf bsdf, vec3 u) {
     ChosenSample chosen = ChosenSample(lobeSample(vec3(0.0)), 1.0);
-    if (hasDiffuse && hasLobe(bsdf, kLobeDiffuse))
-        chosen = ChosenSample(sampleLobe(bsdf.diffuse, bsdf.wo, u), bsdf.diffuseShare.chance);
-    if (hasGgx && hasLobe(bsdf, kLobeGgx) && u.z >= bsdf.ggxShare.start)
-        chosen = ChosenSample(sampleLobe(bsdf.ggx, bsdf.wo, u), bsdf.ggxShare.chance);
-    if (hasBlinnPhong && hasLobe(bsdf, kLobeBlinnPhong) && u.z >= bsdf.blinnPhongShare.start)
-        chosen = ChosenSample(sampleLobe(bsdf.blinnPhong, bsdf.wo, u), bsdf.blinnPhongShare.chance);
-    if (hasDielectrics && hasLobe(bsdf, kLobeDielectric) && u.z >= bsdf.dielectricShare.start) {
-        float place = (u.z - bsdf.dielectricShare.start) / bsdf.dielectricShare.chance;
-        chosen = ChosenSample(sampleLobe(bsdf.dielectric, bsdf.wo, vec3(u.xy, place)),
-                              bsdf.dielectricShare.chance);
-    }
+#define LOBE(id, member, people)                                                                   \
+    if (has##id && hasLobe(bsdf, kLobe##id) && !(u.z < bsdf.member##Share.start))                  \
+        chosen = ChosenSample(                                                                     \
+            sampleLobe(bsdf.member, bsdf.wo, vec3(u.xy, placeIn(bsdf.member##Share, u.z))),        \
+            bsdf.member##Share.chance);
+#include "shared/feature_table.h"
     return chosen;
 }
 

@@ -22,9 +22,9 @@
 // which the lobe does not scatter. A sampled direction may lie on such a side; it then counts as
 // no light.
 //
-// To add a lobe: write its file; give it a bit in shared/scene_structs.h and a feature; include it
-// in bsdf/lobes.glsl, and name it in those of the constants there that it makes true; in
-// bsdf/bsdf.glsl give it a member of Bsdf and a line in each function that lists the lobes.
+// To add a lobe: write its file; include it in bsdf/lobes.glsl, and name it in those of the
+// constants there that it makes true; and give it a line LOBE in shared/feature_table.h, from which
+// bsdf/bsdf.glsl calls its functions.
 #ifndef CALOTYPE_BSDF_LOBE_GLSL
 #define CALOTYPE_BSDF_LOBE_GLSL
 

@@ -10,10 +10,10 @@
 #include "config/features.glsl"
 
 /// Some lobe may be specular.
-const bool hasSpecular = hasMirrors || hasDielectrics;
+const bool hasSpecular = hasMirrors || hasDielectric;
 /// Some lobe transmits and has a density, so that light samples from the far side count: none yet.
 const bool hasTransmission = false;
 /// Some lobe transmits, with a density or without.
-const bool hasCrossing = hasDielectrics || hasTransmission;
+const bool hasCrossing = hasDielectric || hasTransmission;
 
 #endif

@@ -17,11 +17,10 @@ struct SurfaceParameters {
     float eta;
 };
 
-/// The colour of the material's lobes: a metal's F0, the reflectance of any other opaque material,
-/// 1 for a dielectric.
+/// The colour that the material's lobes are tinted with: a metal's F0, the reflectance of any other
+/// opaque material, 1 for a clear one.
 vec3 surfaceAlbedo(SurfaceParameters surface) {
-    bool isDielectric = hasDielectrics && (surface.lobes & kLobeDielectric) != 0u;
-    return isDielectric ? vec3(1.0) : surface.color;
+    return (surface.lobes & kColorIsTint) != 0u ? vec3(1.0) : surface.color;
 }
 
 #endif

@@ -8,7 +8,11 @@
 // TriangleLights. From its line also come kLightTriangle (shared/scene_structs.h) and the calls of
 // its functions (lights/light.glsl). These lines follow each other.
 //
-// What the file that includes this leaves undefined is empty, and a LIGHT is a FEATURE.
+// LOBE is a lobe: identifier, name of its member in Bsdf, and name for people. Its feature is
+// Diffuse. From its line also come kLobeDiffuse (shared/scene_structs.h), its part of a Bsdf and
+// the calls of its functions (bsdf/bsdf.glsl). These lines follow each other.
+//
+// What the file that includes this leaves undefined is empty, and a LIGHT or LOBE is a FEATURE.
 #ifndef BEGIN_FEATURES
 #define BEGIN_FEATURES
 #endif
@@ -17,6 +21,9 @@
 #endif
 #ifndef LIGHT
 #define LIGHT(id, isInfinite, people) FEATURE(id##Lights, people)
+#endif
+#ifndef LOBE
+#define LOBE(id, member, people) FEATURE(id, people)
 #endif
 #ifndef END_FEATURES
 #define END_FEATURES
@@ -37,11 +44,11 @@ LIGHT(Disk, false, "disk lights")
 LIGHT(Background, true, "a background")
 FEATURE(HiddenLights, "hidden lights")
 FEATURE(LightAlpha, "lights with alpha")
-FEATURE(Diffuse, "diffuse")
-FEATURE(Ggx, "GGX")
-FEATURE(Mirrors, "mirrors") // GGX of almost no roughness
-FEATURE(BlinnPhong, "Blinn-Phong")
-FEATURE(Dielectrics, "dielectrics")
+LOBE(Diffuse, diffuse, "diffuse")
+LOBE(Ggx, ggx, "GGX")
+LOBE(BlinnPhong, blinnPhong, "Blinn-Phong")
+LOBE(Dielectric, dielectric, "dielectrics")
+FEATURE(Mirrors, "mirrors") // GGX of (almost) no roughness
 FEATURE(ColorTextures, "color textures")
 FEATURE(RoughnessTextures, "roughness textures")
 FEATURE(SpecularTextures, "specular textures")
@@ -57,4 +64,5 @@ END_FEATURES
 #undef BEGIN_FEATURES
 #undef FEATURE
 #undef LIGHT
+#undef LOBE
 #undef END_FEATURES

@@ -22,16 +22,16 @@ CALOTYPE_CONSTANT uint kCylinder = 1;
 CALOTYPE_CONSTANT uint kCone = 2;
 CALOTYPE_CONSTANT uint kDisk = 3;
 
-// Material::lobes: the lobes of the material. At most one of GGX and Blinn-Phong; a dielectric has
-// none of them.
-CALOTYPE_CONSTANT uint kLobeDiffuse = 1u;
-CALOTYPE_CONSTANT uint kLobeGgx = 2u;
-CALOTYPE_CONSTANT uint kLobeBlinnPhong = 4u;
-CALOTYPE_CONSTANT uint kLobeDielectric = 8u;
-// Material::lobes: flags for the material's numbers.
-CALOTYPE_CONSTANT uint kColorIsF0 = 16u;      ///< GGX of a metal; else F0 is `specular`
-CALOTYPE_CONSTANT uint kSmithMasking = 32u;   ///< GGX
-CALOTYPE_CONSTANT uint kNormalizedLobe = 64u; ///< Blinn-Phong
+// Material::lobes: those that a material is made of. At most one of GGX and Blinn-Phong; a
+// dielectric has none.
+#define LOBE(id, member, people)                                                                   \
+    CALOTYPE_CONSTANT uint kLobe##id = 1u << (kFeature##id - kFeatureDiffuse);
+#include "shared/feature_table.h"
+// Material::lobes: how the material's numbers are read. The lobes have the bits below.
+CALOTYPE_CONSTANT uint kColorIsF0 = 0x10000u;      ///< GGX of a metal, else F0 is `specular`
+CALOTYPE_CONSTANT uint kColorIsTint = 0x20000u;    ///< of light that crosses: the surface is clear
+CALOTYPE_CONSTANT uint kSmithMasking = 0x40000u;   ///< GGX
+CALOTYPE_CONSTANT uint kNormalizedLobe = 0x80000u; ///< Blinn-Phong
 
 // Texture::flags.
 CALOTYPE_CONSTANT uint kTextureIsChecker = 1u;

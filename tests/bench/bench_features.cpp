@@ -50,7 +50,7 @@ std::optional<Scene> without(uint32_t feature, Scene scene) {
     case shared::kFeatureGgx:
     case shared::kFeatureMirrors:
     case shared::kFeatureBlinnPhong:
-    case shared::kFeatureDielectrics:
+    case shared::kFeatureDielectric:
         for (Material& material : scene.materials)
             material.type = MaterialType::Diffuse;
         return scene;

@@ -147,7 +147,7 @@ const CaseOfFeature kMirrorsCase = {[](SceneBuilder& builder) {
     addBall(builder, chrome, 0.6);
 }};
 const CaseOfFeature kBlinnPhongCase = {ball(ofType(MaterialType::BlinnPhong))};
-const CaseOfFeature kDielectricsCase = {ball(ofType(MaterialType::Dielectric))};
+const CaseOfFeature kDielectricCase = {ball(ofType(MaterialType::Dielectric))};
 const CaseOfFeature kColorTexturesCase = {
     floorTexture(&Material::colorTexture, noiseTexture(false))};
 const CaseOfFeature kRoughnessTexturesCase = {

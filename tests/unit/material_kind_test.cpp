@@ -38,7 +38,8 @@ TEST(MaterialKindTest, PacksItsLobes) {
     EXPECT_EQ(lobesOf(ofType(MaterialType::Nonmetal)), shared::kLobeGgx | shared::kLobeDiffuse);
     EXPECT_EQ(lobesOf(ofType(MaterialType::BlinnPhong)),
               shared::kLobeBlinnPhong | shared::kLobeDiffuse);
-    EXPECT_EQ(lobesOf(ofType(MaterialType::Dielectric)), shared::kLobeDielectric);
+    EXPECT_EQ(lobesOf(ofType(MaterialType::Dielectric)),
+              shared::kLobeDielectric | shared::kColorIsTint);
     Material smith = ofType(MaterialType::Metal);
     smith.masking = Masking::Smith;
     EXPECT_EQ(lobesOf(smith), shared::kLobeGgx | shared::kColorIsF0 | shared::kSmithMasking);

@@ -3,7 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 
 #include "bsdf/bsdf.glsl"
-#include "support/kernels/test_structs.h"
+#include "support/kernels/test_surface.glsl"
 
 layout(local_size_x = 64) in;
 layout(set = 0, binding = 0) readonly buffer Inputs { TestScattering events[]; };
@@ -24,18 +24,12 @@ void main() {
     if (i >= events.length())
         return;
     TestScattering event = events[i];
-    SurfaceParameters surface =
-        SurfaceParameters(event.lobes, event.color, event.roughness, event.specular, event.kd,
-                          event.exponent, event.eta);
+    SurfaceParameters surface = surfaceOf(event);
     vec3 u = vec3(event.u1, event.u2, event.u3);
     TestLobe result;
-    if ((event.lobes & kLobeDiffuse) != 0u)
-        CALOTYPE_TEST_LOBE(makeDiffuse(surface))
-    else if ((event.lobes & kLobeGgx) != 0u)
-        CALOTYPE_TEST_LOBE(makeGgx(surface))
-    else if ((event.lobes & kLobeBlinnPhong) != 0u)
-        CALOTYPE_TEST_LOBE(makeBlinnPhong(surface))
-    else
-        CALOTYPE_TEST_LOBE(makeDielectric(surface))
+#define LOBE(id, member, people)                                                                   \
+    if ((event.lobes & kLobe##id) != 0u)                                                           \
+    CALOTYPE_TEST_LOBE(make##id(surface))
+#include "shared/feature_table.h"
     results[i] = result;
 }

@@ -11,7 +11,7 @@
 #include "config/features.glsl"
 #include "core/warp.glsl"
 
-const bool hasSpecular = hasMirrors || hasDielectrics;
+const bool hasSpecular = hasMirrors || hasDielectric;
 const bool hasTransmission = true;
 const bool hasCrossing = true;
 
