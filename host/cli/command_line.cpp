@@ -53,12 +53,11 @@ int withExitCode(const std::function<int()>& action) {
 }
 
 CLI::App& addCompareCommand(CLI::App& app, CompareOptions& options) {
-    CLI::App& command =
-        *app.add_subcommand("compare", "Say how far picture A is from picture B, the reference");
+    CLI::App& command = *app.add_subcommand("compare", "Say how far picture A is from picture B");
     command.add_option("A", options.a, "Picture to judge: EXR, PFM, HDR or PNG")
         ->required()
         ->type_name("FILE");
-    command.add_option("B", options.b, "Reference, of the same size")
+    command.add_option("B", options.b, "Picture to compare it with, of the same size")
         ->required()
         ->type_name("FILE");
     command.add_option("--diff", options.differenceFile, "Write the differences in false colour")
@@ -73,7 +72,7 @@ CLI::App& addCompareCommand(CLI::App& app, CompareOptions& options) {
         "yellow "
         "1 and more;\ncyan where A or B is infinite. Such pixels are counted and left out of all "
         "else.\n\n"
-        "Example: calotype compare picture.exr reference.exr --diff errors.png");
+        "Example: calotype compare picture.exr converged.exr --diff errors.png");
     return command;
 }
 
@@ -127,9 +126,11 @@ CLI::App& addStudyCommand(CLI::App& app, StudyOptions& options) {
     addDeviceOptions(command, options.device,
                      "; \"reference\": the reference tracer, in double precision on the CPU");
     command.footer(
-        "Two fifths of the time go to a reference. The rest is shared equally by the default "
-        "settings, by\nsettings with one change each, by a basic path tracer (no MIS, no roulette, "
-        "independent samples,\n4 bounces), and last by all improvements together. Without --size "
+        "Two fifths of the time go to the ground truth, a picture of many samples. The rest is "
+        "shared equally\nby the default settings, by settings with one change each, by a basic "
+        "path "
+        "tracer (no MIS, no roulette,\nindependent samples, 4 bounces), and last by all "
+        "improvements together. Without --size "
         "the pictures are smaller\nthan the scene's where time is short. Ctrl-C keeps what was "
         "measured so far.\n\n"
         "Example: calotype study scenes/cornell-box.json --budget 10m -o study");

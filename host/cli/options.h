@@ -38,7 +38,7 @@ struct InfoOptions {
     GivenSettings settings;
 };
 
-/// Picture A against picture B, the reference.
+/// Picture A against picture B.
 struct CompareOptions {
     std::string a;
     std::string b;

@@ -13,9 +13,9 @@ struct DifferenceScale {
     static constexpr glm::u8vec3 kInfinite{0, 255, 255}; ///< the pixel is infinite in A or B
 };
 
-/// A picture of the differences of A from B, the reference; both have one size and no NaN. The
-/// relative difference of a pixel is the root of the mean of its channels' relativeSquaredError; so
-/// the mean of its square over the picture is the relative MSE.
+/// Where A differs from B, both of one size and without NaN. The relative difference
+/// of a pixel is the root of the mean of its channels' relativeSquaredError; so the mean of its
+/// square over the picture is the relative MSE.
 Rgb8Image differencePicture(const Image& a, const Image& b);
 
 } // namespace calotype

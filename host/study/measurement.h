@@ -13,8 +13,8 @@ namespace calotype {
 struct CurvePoint {
     double samples = 0.0; ///< mean of all pixels
     double seconds = 0.0; ///< of sampling, at the machine's usual pace
-    /// The picture's distance from the reference as ErrorEstimate::relative measures it, less the
-    /// reference's own error. None where the reference is not accurate enough.
+    /// The picture's distance from the ground truth as ErrorEstimate::relative measures it, less
+    /// the ground truth's own error. None where the ground truth is not accurate enough.
     std::optional<double> error;
     std::optional<double> stated; ///< the estimate that the variant itself computes
     Image part;                   ///< the middle of the picture
@@ -27,7 +27,7 @@ struct Measurement {
     double pace = 1.0; ///< of the machine during the measurement, relative to its usual pace
     double buildSeconds = 0.0; ///< of the BVH, and packing
     double compileSeconds = 0.0;
-    /// Mean luminance over that of the reference, less 1, and its standard error.
+    /// Mean luminance over that of the ground truth, less 1, and its standard error.
     double brighter = 0.0;
     double brighterError = 0.0;
     bool isTrusted = false; ///< ErrorEstimate::isTrusted

@@ -97,7 +97,7 @@ std::string withFixedUnits(std::string html) {
 
 std::string errorText(const std::optional<double>& error) {
     return error ? "error " + percentText(*error)
-                 : "error too small to measure against the reference";
+                 : "error too small to measure against the ground truth";
 }
 
 std::string figure(const std::string& pictures, const std::string& caption) {
@@ -112,7 +112,7 @@ std::string image(const std::string& uri, const std::string& words) {
 class Page {
 public:
     Page(const Study& study, const StudyOrigin& origin)
-        : study_(study), origin_(origin), referencePart_(middleOf(study.reference->picture)) {}
+        : study_(study), origin_(origin), groundTruthPart_(middleOf(study.groundTruth->picture)) {}
 
     std::string text() const {
         const std::string title = "Render settings compared: " + escaped(origin_.scene);
@@ -127,23 +127,23 @@ private:
     const Measurement& usual() const { return study_.measurements.front(); }
 
     std::string facts() const {
-        const Reference& reference = *study_.reference;
+        const GroundTruth& truth = *study_.groundTruth;
         const RenderSettings& render = study_.usual;
         std::string words = "Rendered by " + escaped(origin_.device) + " at " +
                             std::to_string(render.width) + " x " + std::to_string(render.height) +
                             " pixels, " + std::to_string(render.maxBounces) +
                             " bounces. Errors are relative, at 95 % confidence, measured against a "
-                            "reference of " +
-                            std::to_string(reference.samples) +
-                            " samples per pixel, whose own error is " +
-                            percentText(reference.error) + ".";
+                            "ground truth of " +
+                            std::to_string(truth.samples) +
+                            " samples per pixel, whose own error is " + percentText(truth.error) +
+                            ".";
         if (study_.ending == StudyEnding::Stopped)
             words += " The study was stopped before its end.";
         if (study_.ending == StudyEnding::OutOfTime)
             words += " The time budget was too short for all settings.";
         std::string html = tag("p", words);
-        if (!reference.isTrusted)
-            html += tag("p", "<strong>The reference is not reliable</strong>: most of its light "
+        if (!truth.isTrusted)
+            html += tag("p", "<strong>The ground truth is not reliable</strong>: most of its light "
                              "comes from a few bright samples, or it has too few samples. Some "
                              "light may be missing from it, and the numbers below do not show "
                              "that. Use a longer budget.");
@@ -194,7 +194,7 @@ private:
         return tag("h2", "Error against time") + toSvg(study_, origin_.scene) +
                faint("Dashed lines: settings that lose light, so that their error stays above a "
                      "limit. A line ends where the error is too small to measure against the "
-                     "reference.");
+                     "ground truth.");
     }
 
     std::string sentences() const {
@@ -229,7 +229,7 @@ private:
 
     std::string picturesOf(const CurvePoint& point, const std::string& name) const {
         return image(display(point.part), name) +
-               image(dataUri(differencePicture(point.part, referencePart_)),
+               image(dataUri(differencePicture(point.part, groundTruthPart_)),
                      "errors of " + name + " in false colours");
     }
 
@@ -245,10 +245,10 @@ private:
     }
 
     std::string equalTime() const {
-        std::string figures =
-            figure(image(display(referencePart_), "the reference"),
-                   "<strong>the reference</strong><br>" + durationText(study_.reference->seconds) +
-                       ", error " + percentText(study_.reference->error));
+        std::string figures = figure(image(display(groundTruthPart_), "the ground truth"),
+                                     "<strong>the ground truth</strong><br>" +
+                                         durationText(study_.groundTruth->seconds) + ", error " +
+                                         percentText(study_.groundTruth->error));
         double shortest = usual().last().seconds;
         for (const Measurement& measurement : study_.measurements)
             shortest = std::min(shortest, measurement.last().seconds);
@@ -262,7 +262,7 @@ private:
         return tag("h2", "Pictures at equal time") +
                tag("p", "Each picture after about " + durationText(shortest) +
                             " of sampling. Below it: the relative difference of each pixel from "
-                            "the reference.") +
+                            "the ground truth.") +
                scale() + "<div class=\"pictures\">" + figures + "</div>\n";
     }
 
@@ -310,7 +310,7 @@ private:
 
     const Study& study_;
     const StudyOrigin& origin_;
-    Image referencePart_;
+    Image groundTruthPart_;
 };
 
 } // namespace

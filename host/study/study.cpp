@@ -15,9 +15,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kReferenceShare = 0.4;
-/// Samples per pixel that the reference should get, if the size of the picture is free.
-constexpr double kReferenceSamples = 4096.0;
+constexpr double kGroundTruthShare = 0.4;
+/// Samples per pixel that the ground truth should get, if the size of the picture is free.
+constexpr double kGroundTruthSamples = 4096.0;
 constexpr double kLeastPixels = 48.0 * 48.0;
 constexpr uint32_t kLargestPart = 256; ///< pixels on a side
 /// A variant is an improvement if it saves this share of the time to the same error.
@@ -49,7 +49,7 @@ public:
             if (!plan_.keepsSize)
                 chooseSize();
             if (!isStopped_)
-                renderReference();
+                renderGroundTruth();
             if (!isStopped_)
                 sweep();
         } catch (const StudyStopped&) {
@@ -79,7 +79,7 @@ private:
         return !isStopped_;
     }
 
-    /// Chooses a picture so small that the reference gets kReferenceSamples.
+    /// Chooses a picture so small that the ground truth gets kGroundTruthSamples.
     void chooseSize() {
         RenderSettings small = study_.usual;
         const double whole = pixelsOf(small);
@@ -90,7 +90,7 @@ private:
             return;
         const double rate =
             static_cast<double>(session->totals().paths) / session->totals().seconds;
-        const double pixels = rate * kReferenceShare * plan_.seconds / kReferenceSamples;
+        const double pixels = rate * kGroundTruthShare * plan_.seconds / kGroundTruthSamples;
         resize(study_.usual, std::clamp(pixels, std::min(whole, kLeastPixels), whole));
         study_.scale = whole / pixelsOf(study_.usual);
     }
@@ -106,30 +106,30 @@ private:
         settings.crop = {0, 0, settings.width, settings.height};
     }
 
-    void renderReference() {
+    void renderGroundTruth() {
         RenderSettings settings = study_.usual;
         settings.seed += 1; // no random numbers in common with the variants
         const Clock::time_point before = Clock::now();
         const PreparedTracer prepared = prepare_(settings);
         prepareSeconds_ = secondsSince(before);
         const auto session = makeSession(prepared, settings);
-        const double seconds = kReferenceShare * secondsLeft();
-        if (sample(*session, seconds, "rendering the reference", [] {}))
-            study_.reference.emplace(*session);
+        const double seconds = kGroundTruthShare * secondsLeft();
+        if (sample(*session, seconds, "rendering the ground truth", [] {}))
+            study_.groundTruth.emplace(*session);
     }
 
     void sweep() {
-        const Reference& reference = *study_.reference;
+        const GroundTruth& truth = *study_.groundTruth;
         constexpr uint64_t kLeastSamples = 32; // of two replicas
-        if (reference.mean <= 0.0 && reference.samples >= kLeastSamples)
+        if (truth.mean <= 0.0 && truth.samples >= kLeastSamples)
             throw Error("the picture is black, so there is no error to study");
-        if (!std::isfinite(reference.error))
-            throw Error("the time budget is too short: the reference has " +
-                        std::to_string(reference.samples) + " samples per pixel and needs " +
+        if (!std::isfinite(truth.error))
+            throw Error("the time budget is too short: the ground truth has " +
+                        std::to_string(truth.samples) + " samples per pixel and needs " +
                         std::to_string(kLeastSamples) +
                         "; use a longer --budget or a smaller --size");
         const std::vector<Variant> variants =
-            variantsOf(study_.usual, reference.mean, plan_.isReference);
+            variantsOf(study_.usual, truth.mean, plan_.isReference);
         size_t left = variants.size() + 1; // and the improvements together
         share_ = secondsLeft() / static_cast<double>(left);
         yardstick_.emplace(*this);
@@ -257,7 +257,7 @@ private:
             const auto& estimate = session->error();
             measurement.curve.push_back(
                 {static_cast<double>(session->totals().paths) / pixelsOf(settings),
-                 session->totals().seconds, study_.reference->errorOf(picture),
+                 session->totals().seconds, study_.groundTruth->errorOf(picture),
                  estimate ? std::optional(estimate->relative) : std::nullopt, middleOf(picture)});
         };
         uint64_t next = 1;
@@ -272,9 +272,9 @@ private:
             return std::nullopt;
         record();
         const MeanLuminance mean = meanLuminance(session->picture(), session->pixelErrors());
-        measurement.brighter = mean.mean / study_.reference->mean - 1.0;
-        measurement.brighterError =
-            std::hypot(mean.standardError, study_.reference->meanError) / study_.reference->mean;
+        measurement.brighter = mean.mean / study_.groundTruth->mean - 1.0;
+        measurement.brighterError = std::hypot(mean.standardError, study_.groundTruth->meanError) /
+                                    study_.groundTruth->mean;
         if (prepared.finish)
             prepared.finish();
         measurement.isTrusted = session->error() && session->error()->isTrusted();

@@ -8,8 +8,8 @@
 
 #include "render/block_tracer.h"
 #include "settings/render_settings.h"
+#include "study/ground_truth.h"
 #include "study/measurement.h"
-#include "study/reference.h"
 #include "study/variant.h"
 
 namespace calotype {
@@ -60,7 +60,7 @@ enum class StudyEnding : uint8_t {
 struct Study {
     RenderSettings usual; ///< at the picture size of the study
     double scale = 1.0;   ///< pixels at the scene's own size over pixels of the study's pictures
-    std::optional<Reference> reference;
+    std::optional<GroundTruth> groundTruth;
     std::vector<Measurement> measurements; ///< the usual settings first
     std::vector<FailedVariant> failures;
     /// Relative standard deviation of the machine's pace between two measurements of it.
@@ -71,12 +71,12 @@ struct Study {
     double timingNoise() const;
 };
 
-/// Renders a reference in two fifths of the time. The variants share the rest equally; last come
-/// all improvements together, if there are several. Between the variants the usual settings render
-/// a little more, which measures the machine's pace; all seconds are corrected by it. A study that
-/// is stopped, or out of time, holds the measurements that were complete. Throws Error if the
-/// picture is black, the time is too short for a reference, or the usual settings cannot be
-/// rendered.
+/// Renders the ground truth in two fifths of the time. The variants share the rest equally; last
+/// come all improvements together, if there are several. Between the variants the usual settings
+/// render a little more, which measures the machine's pace; all seconds are corrected by it. A
+/// study that is stopped, or out of time, holds the measurements that were complete. Throws Error
+/// if the picture is black, the time is too short for the ground truth, or the usual settings
+/// cannot be rendered.
 Study runStudy(const StudyPlan& plan, const PrepareTracer& prepare, const StudyObserver& observer);
 
 } // namespace calotype

@@ -39,7 +39,7 @@ TEST_F(StudyTest, TimedRunWritesTableAndPlotAndPage) {
         EXPECT_NE(csv.find(option), std::string::npos) << option;
         EXPECT_NE(page.find(option), std::string::npos) << option;
     }
-    // The last line of the default: what the reference says is what the picture said of itself.
+    // The last line of the default: what the ground truth says is what the picture said of itself.
     std::istringstream lines(csv);
     std::vector<std::string> last;
     for (std::string line; std::getline(lines, line);)
@@ -58,7 +58,7 @@ TEST_F(StudyTest, TimedRunInterruptedKeepsWhatItHas) {
     ProgramOptions options;
     bool isSent = false;
     options.whileRunning = [&](int pid, double age) {
-        if (!isSent && age > 12.0) // of 16 s the reference takes 6, and each variant 0.7
+        if (!isSent && age > 12.0) // of 16 s the ground truth takes 6, and each variant 0.7
             isSent = kill(pid, SIGINT) == 0;
     };
     const ProgramResult result =

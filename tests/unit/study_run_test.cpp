@@ -80,25 +80,24 @@ std::unique_ptr<RenderSession> noiseSession(NoiseTracer& tracer, const RenderSet
     return session;
 }
 
-// From a reference of twice its samples a picture is a fifth further away than its error.
-TEST(StudyReferenceTest, TakesOffItsOwnError) {
+// From a ground truth of twice its samples a picture is a fifth further away than its error.
+TEST(StudyGroundTruthTest, TakesOffItsOwnError) {
     RenderSettings settings;
     settings.sampler = Sampler::Independent;
     settings.width = settings.height = 64;
     settings.crop = {0, 0, 64, 64};
     settings.maxBounces = 8;
     settings.samplesPerPixel = 256;
-    NoiseTracer referenceTracer(settings);
-    const auto referenceSession = noiseSession(referenceTracer, settings);
-    const Reference reference(*referenceSession);
-    EXPECT_NEAR(reference.error, 1.96 * 0.4 / 16.0, 0.003);
+    NoiseTracer truthTracer(settings);
+    const auto truthSession = noiseSession(truthTracer, settings);
+    const GroundTruth truth(*truthSession);
+    EXPECT_NEAR(truth.error, 1.96 * 0.4 / 16.0, 0.003);
     settings.seed = 1;
     settings.samplesPerPixel = 128;
     NoiseTracer tracer(settings);
     const auto session = noiseSession(tracer, settings);
-    EXPECT_NEAR(reference.errorOf(session->picture()).value(), 1.96 * 0.4 / std::sqrt(128.0),
-                0.003);
-    EXPECT_FALSE(reference.errorOf(reference.picture)) << "nearer than its own error";
+    EXPECT_NEAR(truth.errorOf(session->picture()).value(), 1.96 * 0.4 / std::sqrt(128.0), 0.003);
+    EXPECT_FALSE(truth.errorOf(truth.picture)) << "nearer than its own error";
 }
 
 const StudyObserver kPatient{[] { return false; }, [](const std::string&) {}};
@@ -107,8 +106,8 @@ const StudyObserver kPatient{[] { return false; }, [](const std::string&) {}};
 TEST(TimedStudyTest, MeasuresWhatIsThere) {
     const Study study = runStudy(planOf(4.0), kPrepare, kPatient);
     ASSERT_EQ(study.ending, StudyEnding::Whole);
-    ASSERT_TRUE(study.reference);
-    EXPECT_TRUE(study.reference->isTrusted);
+    ASSERT_TRUE(study.groundTruth);
+    EXPECT_TRUE(study.groundTruth->isTrusted);
     size_t compared = 0;
     for (const Measurement& measurement : study.measurements) {
         SCOPED_TRACE(measurement.variant.name);

@@ -11,7 +11,7 @@
 namespace calotype {
 
 /// The picture against which a study measures errors.
-struct Reference {
+struct GroundTruth {
     Image picture;
     std::vector<double> luminances;
     double mean = 0.0;      ///< luminance
@@ -22,7 +22,7 @@ struct Reference {
     double seconds = 0.0;
 
     /// The session must have at least one block of two replicas.
-    explicit Reference(Session& session);
+    explicit GroundTruth(Session& session);
 
     /// CurvePoint::error of a picture of the same size.
     std::optional<double> errorOf(const Image& image) const;

@@ -1,4 +1,4 @@
-#include "study/reference.h"
+#include "study/ground_truth.h"
 
 #include <cmath>
 #include <limits>
@@ -8,9 +8,7 @@
 #include "math/square.h"
 
 namespace calotype {
-namespace {} // namespace
-
-Reference::Reference(Session& session) : picture(session.picture()) {
+GroundTruth::GroundTruth(Session& session) : picture(session.picture()) {
     for (const glm::vec3& pixel : picture.pixels)
         luminances.push_back(luminance(glm::dvec3(pixel)));
     const MeanLuminance all = meanLuminance(picture, session.pixelErrors());
@@ -23,7 +21,7 @@ Reference::Reference(Session& session) : picture(session.picture()) {
     seconds = session.totals().seconds;
 }
 
-std::optional<double> Reference::errorOf(const Image& image) const {
+std::optional<double> GroundTruth::errorOf(const Image& image) const {
     double sum = 0.0;
     for (size_t i = 0; i < luminances.size(); ++i) {
         const double deviation = luminance(glm::dvec3(image.pixels[i])) - luminances[i];
@@ -31,7 +29,7 @@ std::optional<double> Reference::errorOf(const Image& image) const {
     }
     const double measured = relativeError(sum / static_cast<double>(luminances.size()));
     const double left = square(measured) - square(error);
-    if (!(left > square(error))) // below its own error a reference cannot measure
+    if (!(left > square(error))) // it cannot tell errors below its own
         return std::nullopt;
     return std::sqrt(left);
 }
