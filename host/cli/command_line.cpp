@@ -128,8 +128,7 @@ CLI::App& addStudyCommand(CLI::App& app, StudyOptions& options) {
     command.footer(
         "Two fifths of the time go to the ground truth, a picture of many samples. The rest is "
         "shared equally\nby the default settings, by settings with one change each, by a basic "
-        "path "
-        "tracer (no MIS, no roulette,\nindependent samples, 4 bounces), and last by all "
+        "path tracer (no MIS, no\nroulette, independent samples, 4 bounces), and last by all "
         "improvements together. Without --size "
         "the pictures are smaller\nthan the scene's where time is short. Ctrl-C keeps what was "
         "measured so far.\n\n"

@@ -17,7 +17,7 @@ struct LargestDifference {
     int channel = 0; ///< 0 red, 1 green, 2 blue
 };
 
-/// How far picture A is from picture B: over the pixels that are finite in both.
+/// The difference of picture A from picture B, over pixels that are finite in both.
 struct ImageDifference {
     uint64_t infiniteInA = 0; ///< pixels with an infinite channel
     uint64_t infiniteInB = 0;
@@ -44,8 +44,8 @@ void requireComparable(const Image& a, const std::string& nameA, const Image& b,
 /// For two pictures that pass requireComparable.
 ImageDifference measureDifference(const Image& a, const Image& b);
 
-/// (a - b)^2 / (b^2 + 0.01): the squared error of a channel relative to B, with a floor
-/// that keeps dark pixels from dominating.
+/// (a - b)^2 / (b^2 + 0.01): the squared error of a channel relative to B; the constant limits
+/// the weight of dark pixels.
 double relativeSquaredError(double a, double b);
 
 /// Whether no channel is infinite or NaN.

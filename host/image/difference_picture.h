@@ -13,7 +13,7 @@ struct DifferenceScale {
     static constexpr glm::u8vec3 kInfinite{0, 255, 255}; ///< the pixel is infinite in A or B
 };
 
-/// Where A differs from B, both of one size and without NaN. The relative difference
+/// A picture of the differences of A from B; both have one size and no NaN. The relative difference
 /// of a pixel is the root of the mean of its channels' relativeSquaredError; so the mean of its
 /// square over the picture is the relative MSE.
 Rgb8Image differencePicture(const Image& a, const Image& b);

@@ -26,8 +26,8 @@ struct GpuScene {
     std::vector<glm::uvec4> texelRows;
     std::vector<shared::Light> lights;
     std::vector<float> filterQuantiles;
-    uint32_t lightCount = 0;                ///< `lights` holds one unused where this is 0
-    uint32_t infiniteLight = shared::kNone; ///< the one that rays find which meet no surface
+    uint32_t lightCount = 0;                ///< if 0, `lights` holds one unused light
+    uint32_t infiniteLight = shared::kNone; ///< index of the light of rays that hit no surface
     size_t primitiveCount = 0;
     shared::Camera camera{};
     SceneFeatures features;

@@ -16,10 +16,10 @@ namespace {
 
 double maxComponent(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
-/// Of the kernel, for a light of that kind.
+/// The kernel feature for lights of that kind.
 uint32_t featureOf(uint32_t kind) { return shared::kFeatureTriangleLights + kind; }
 
-// So the kinds' features follow each other.
+// The features of the kinds must follow each other.
 constexpr uint32_t kLightKinds = 0
 #define LIGHT(id, isInfinite, people) +1
 #include "shared/feature_table.h"

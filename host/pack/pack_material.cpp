@@ -7,7 +7,7 @@
 namespace calotype {
 namespace {
 
-// The bits of the lobes are below those of the flags.
+// The bits of the lobes must be below those of the flags.
 #define LOBE(id, member, people) static_assert(shared::kLobe##id < shared::kColorIsF0);
 #include "shared/feature_table.h"
 
@@ -21,7 +21,7 @@ struct PackedSlot {
     uint32_t Material::*texture;
     uint32_t shared::Material::*packed;
     uint32_t feature;
-    bool isOfEveryKind; ///< and not of those alone that have it as a parameter
+    bool isOfEveryKind; ///< false: only of kinds that have it as a parameter
 };
 constexpr PackedSlot kSlots[] = {
     {&Material::colorTexture, &shared::Material::colorTexture, shared::kFeatureColorTextures, true},
@@ -34,7 +34,7 @@ constexpr PackedSlot kSlots[] = {
 };
 static_assert(std::ranges::equal(kSlots, kMaterialTextures, {}, &PackedSlot::texture));
 
-/// Whether a material of the kind has a number that may be that texture.
+/// Whether the kind has a parameter that can be this texture.
 bool hasParameter(const MaterialKind& kind, uint32_t Material::*texture) {
     return std::ranges::any_of(kind.parameters, [&](const MaterialParameter& parameter) {
         const auto* number = std::get_if<NumberParameter>(&parameter.value);
@@ -42,7 +42,7 @@ bool hasParameter(const MaterialKind& kind, uint32_t Material::*texture) {
     });
 }
 
-/// Gives texture slots their packed index, and tells the kernel what it will find there.
+/// Sets the packed index of texture slots, and the kernel features that they need.
 class SlotPacker {
 public:
     SlotPacker(std::span<const Texture> sceneTextures, TexturePacker& textures,

@@ -71,17 +71,20 @@ uint32_t bitOf(uint32_t slot, bool isSet) { return isSet ? 1u << slot : 0u; }
 } // namespace
 
 shared::BvhNode packNode(const Bvh::Node& node, const FirstPrimitives& first, uint32_t childBase) {
+    // Where the node is, and where its children are.
     shared::BvhNode packed{};
     packed.origin = node.bounds.lower;
     packed.childBase = childBase;
     packed.firstTriangle = first.triangle;
     packed.firstQuadric = first.quadric;
+    // What each child is: a bit each for nodes and quadrics, three for the number of primitives.
     for (uint32_t slot = 0; slot < Bvh::kSlots; ++slot) {
         const Bvh::Slot& child = node.slots[slot];
         packed.nodesAndExponents |= bitOf(slot, child.kind == Bvh::SlotKind::Node) << 24;
         packed.primitives |= bitOf(slot, child.kind == Bvh::SlotKind::Quadrics) << 24;
         packed.primitives |= ((1u << child.count) - 1u) << (3 * slot);
     }
+    // The children's boxes, axis by axis: cells of the grid, rounded outward, a byte a child.
     shared::uvec2* const lower[] = {&packed.lowerX, &packed.lowerY, &packed.lowerZ};
     shared::uvec2* const upper[] = {&packed.upperX, &packed.upperY, &packed.upperZ};
     for (int axis = 0; axis < 3; ++axis) {

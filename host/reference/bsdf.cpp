@@ -102,7 +102,7 @@ Bsdf::Bsdf(const Material& material, const std::vector<Texture>& textures, const
     shareOut();
 }
 
-/// Lobes are chosen by what they scatter: kd / (kd + ks), and the like.
+/// Lobes are chosen by their albedos: kd / (kd + ks), and so on.
 void Bsdf::shareOut() {
     double total = 0.0;
     for (WeightedLobe& part : lobes_) {

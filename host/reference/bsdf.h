@@ -15,18 +15,18 @@ namespace calotype::reference {
 
 using Lobes = std::vector<std::unique_ptr<Lobe>>;
 
-/// What a material is made of at texture coordinates. `isOutside`: seen from the outer side of the
-/// surface.
+/// Returns the lobes of a material at texture coordinates. `isOutside`: the viewer is on the outer
+/// side of the surface.
 using LobesOf = Lobes (*)(const Material& material, const std::vector<Texture>& textures,
                           const glm::dvec2& uv, bool isOutside);
 
-/// The lobes of a material of a scene.
+/// The lobes of the program's materials.
 Lobes lobesOfMaterial(const Material& material, const std::vector<Texture>& textures,
                       const glm::dvec2& uv, bool isOutside);
 
-/// A material at a point of a surface, its textures looked up, seen from one direction: a mixture
-/// of lobes. Directions are unit vectors in the world, away from the surface; densities are per
-/// solid angle.
+/// A material at a point of a surface, with its textures looked up, seen from one direction: a
+/// mixture of lobes. Directions are unit vectors in world space, away from the surface; densities
+/// are per solid angle.
 class Bsdf {
 public:
     struct Value {

@@ -8,8 +8,8 @@
 
 namespace calotype::reference {
 
-/// Something that shines. Directions `wi` are unit vectors from a shading point to the light;
-/// radiances are in W/(m^2 sr).
+/// A light source. Directions `wi` are unit vectors from a shading point to the light; radiances
+/// are in W/(m^2 sr).
 class Light {
 public:
     /// A point on the light, and the unit normal of its front. Not used if the light is infinitely
@@ -19,11 +19,11 @@ public:
         glm::dvec3 normal{0.0};
     };
 
-    /// A direction in which light may come to a shading point.
+    /// A sampled direction from a shading point to the light.
     struct Sample {
         glm::dvec3 wi{0.0};
         Point point;
-        double pdf = 0.0; ///< per solid angle at the shading point; 0 where it is not seen
+        double pdf = 0.0; ///< per solid angle at the shading point; 0 if not visible from there
     };
 
     explicit Light(std::optional<uint32_t> primitive = {}) : primitive_(primitive) {}
@@ -35,7 +35,7 @@ public:
     /// u in [0, 1)^2.
     virtual Sample sample(const glm::dvec3& shadingPoint, const glm::dvec2& u) const = 0;
 
-    /// The density with which `sample` chooses what the direction wi meets of the light.
+    /// The density with which `sample` chooses the point of the light in direction wi.
     virtual double pdf(const glm::dvec3& shadingPoint, const glm::dvec3& wi,
                        const Point& point) const = 0;
 

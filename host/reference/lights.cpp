@@ -85,6 +85,8 @@ void Lights::buildAliasTable(LightChoice choice) {
     if (choice == LightChoice::Uniform)
         for (double& power : powers_)
             power = power > 0.0 ? 1.0 : 0.0;
+    // Each light is a column of as many numbers as any other. A column of a light that was dealt
+    // fewer is poor, and of one that was dealt more is rich.
     std::vector<uint64_t> numbers = dealNumbers();
     const size_t count = lights_.size();
     std::vector<size_t> poor;
@@ -98,6 +100,7 @@ void Lights::buildAliasTable(LightChoice choice) {
         if (numbers[i] != end - first)
             (numbers[i] < end - first ? poor : rich).push_back(i);
     }
+    // The rest of a poor column goes to a rich light, which may be poor then.
     while (!poor.empty() && !rich.empty()) {
         Column& taker = columns_[poor.back()];
         const size_t giver = rich.back();

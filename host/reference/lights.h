@@ -27,7 +27,7 @@ public:
     /// The light of a primitive; nullptr if it does not emit.
     const Light* ofPrimitive(uint32_t primitive) const { return ofPrimitive_[primitive]; }
 
-    /// The light that rays find which meet no surface; nullptr if there is none.
+    /// The light for rays that hit no surface; nullptr if there is none.
     const Light* infinite() const { return infinite_; }
 
     struct Choice {
@@ -58,7 +58,7 @@ private:
     const Geometry& geometry_;
     std::vector<std::unique_ptr<Light>> lights_;
     std::vector<double> powers_;            ///< of each light, up to a common factor
-    std::vector<const Light*> ofPrimitive_; ///< nullptr for one that does not shine
+    std::vector<const Light*> ofPrimitive_; ///< nullptr if the primitive does not emit
     const Light* infinite_ = nullptr;
     std::vector<Column> columns_;
 };

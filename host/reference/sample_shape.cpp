@@ -95,9 +95,9 @@ double sphereConePdf(const Sphere& sphere, const glm::dvec3& shadingPoint) {
     return 1.0 / (2.0 * kPi * oneMinusConeCosine(seenSin2(sphere, shadingPoint)));
 }
 
-/// Seen under the angle theta off the axis from `shadingPoint` to the centre, the near point of the
-/// sphere makes the angle beta - theta with it at the centre; by the law of sines, sin beta is
-/// sin theta / sin thetaMax.
+/// Let theta be the angle at `shadingPoint` from the axis, which goes to the centre. The near point
+/// of the sphere in that direction is at the angle beta - theta to the axis at the centre; by the
+/// law of sines, sin beta is sin theta / sin thetaMax.
 ShapePoint sampleSeenSphere(const Sphere& sphere, const glm::dvec3& shadingPoint,
                             const glm::dvec2& u) {
     const double sin2Max = seenSin2(sphere, shadingPoint);

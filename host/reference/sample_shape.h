@@ -21,12 +21,12 @@ ShapePoint samplePoint(const Cone& cone, const glm::dvec2& u);
 ShapePoint samplePoint(const Disk& disk, const glm::dvec2& u);
 ShapePoint samplePoint(const Mesh& mesh, uint32_t triangle, const glm::dvec2& u);
 
-/// The point of the sphere that is seen from `shadingPoint`, outside, in a direction that is
-/// uniform in the cone that the sphere fills; its density per solid angle is sphereConePdf.
+/// The point of the sphere that `shadingPoint`, which must be outside, sees in a direction that is
+/// uniform in the cone of the sphere; its density per solid angle is sphereConePdf.
 ShapePoint sampleSeenSphere(const Sphere& sphere, const glm::dvec3& shadingPoint,
                             const glm::dvec2& u);
 
-/// 1 / the solid angle under which the sphere is seen from `shadingPoint`, outside.
+/// 1 / the solid angle that the sphere subtends from `shadingPoint`, which must be outside.
 double sphereConePdf(const Sphere& sphere, const glm::dvec3& shadingPoint);
 
 /// True if `point` is inside. A disk or triangle has no inside.

@@ -12,8 +12,8 @@
 namespace calotype::reference {
 namespace {
 
-/// A density per area, 1 / area, as one per solid angle (docs/models.md, "Direct
-/// light"). Zero edge on, and where the point is the shading point itself.
+/// The density per area, 1 / area, converted to solid angle (docs/models.md, "Direct light"). Zero
+/// if seen edge-on, and if the point is the shading point itself.
 double solidAnglePdf(double area, const glm::dvec3& shadingPoint, const glm::dvec3& position,
                      const glm::dvec3& normal) {
     const glm::dvec3 d = position - shadingPoint;
@@ -23,7 +23,7 @@ double solidAnglePdf(double area, const glm::dvec3& shadingPoint, const glm::dve
     return cosTheta > 0.0 ? glm::dot(d, d) / (cosTheta * area) : 0.0;
 }
 
-/// Whether a closed shape hides its own point, whose outward normal is given, from `shadingPoint`.
+/// Whether a closed shape hides its own point, with the given outward normal, from `shadingPoint`.
 template <typename Geometry>
 bool hidesItself(const Geometry& geometry, const glm::dvec3& shadingPoint,
                  const glm::dvec3& position, const glm::dvec3& normal) {

@@ -29,7 +29,7 @@ std::optional<double> GroundTruth::errorOf(const Image& image) const {
     }
     const double measured = relativeError(sum / static_cast<double>(luminances.size()));
     const double left = square(measured) - square(error);
-    if (!(left > square(error))) // it cannot tell errors below its own
+    if (!(left > square(error))) // it cannot measure errors below its own
         return std::nullopt;
     return std::sqrt(left);
 }

@@ -1,5 +1,5 @@
 // How a material scatters light at a point: the mixture of its lobes (docs/models.md, "Mixture of
-// lobes"). LOBE is what is done for each lobe of shared/feature_table.h.
+// lobes"). Each LOBE below is expanded for every lobe of shared/feature_table.h.
 #ifndef CALOTYPE_BSDF_BSDF_GLSL
 #define CALOTYPE_BSDF_BSDF_GLSL
 
@@ -11,7 +11,7 @@
 #include "core/frame.glsl"
 #include "core/select.glsl"
 
-/// The part of [0, 1) in which the random number that chooses a lobe chooses this one.
+/// The part of [0, 1) that chooses this lobe.
 struct LobeShare {
     float start;
     float chance; ///< its length: the probability with which the lobe is sampled
@@ -136,9 +136,9 @@ struct ChosenSample {
     float chance;
 };
 
-/// A direction from one lobe: u.xy pick within it, u.z the lobe, and, by its place in the lobe's
-/// share, within it. It is the last lobe whose share does not start above u.z, so that rounding of
-/// the shares leaves no number without a lobe.
+/// A direction from one lobe: u.z chooses the lobe, u.xy the direction; the place of u.z in the
+/// lobe's share is a third number for it. The last lobe whose share does not start above u.z is
+/// taken, so that rounding of the shares leaves no number without one.
 ChosenSample sampleOneLobe(Bsdf bsdf, vec3 u) {
     ChosenSample chosen = ChosenSample(lobeSample(vec3(0.0)), 1.0);
 #define LOBE(id, member, people)                                                                   \

@@ -1,5 +1,5 @@
-// The closed list of lobes: their files, and what some of them do. Code outside their files rests
-// on these constants, not on which lobe it is that does so.
+// The closed list of lobes: their files, and properties of some of them. Code outside the files
+// depends on these constants, not on a certain lobe.
 #ifndef CALOTYPE_BSDF_LOBES_GLSL
 #define CALOTYPE_BSDF_LOBES_GLSL
 
@@ -9,11 +9,11 @@
 #include "bsdf/ggx.glsl"
 #include "config/features.glsl"
 
-/// Some lobe may be specular.
+/// True if some lobe may be specular.
 const bool hasSpecular = hasMirrors || hasDielectric;
-/// Some lobe transmits and has a density, so that light samples from the far side count: none yet.
+/// True if some lobe transmits and has a density: then light is also sampled from the far side.
 const bool hasTransmission = false;
-/// Some lobe transmits, with a density or without.
+/// True if some lobe transmits, with a density or without.
 const bool hasCrossing = hasDielectric || hasTransmission;
 
 #endif

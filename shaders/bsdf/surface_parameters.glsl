@@ -5,8 +5,8 @@
 #include "config/features.glsl"
 #include "shared/scene_structs.h"
 
-/// The fields are those of Material, but for `eta` from makeBsdf on: there it is the index of
-/// refraction on the far side over that on the viewer's.
+/// The fields are those of Material. The lobes get another `eta`: the index of refraction on the
+/// far side over that on the viewer's side.
 struct SurfaceParameters {
     uint lobes;
     vec3 color;
@@ -17,8 +17,8 @@ struct SurfaceParameters {
     float eta;
 };
 
-/// The colour that the material's lobes are tinted with: a metal's F0, the reflectance of any other
-/// opaque material, 1 for a clear one.
+/// The colour of the material's lobes: a metal's F0, the reflectance of any other opaque material,
+/// 1 for a clear one.
 vec3 surfaceAlbedo(SurfaceParameters surface) {
     return (surface.lobes & kColorIsTint) != 0u ? vec3(1.0) : surface.color;
 }

@@ -5,8 +5,8 @@
 #include "lights/light_sample.glsl"
 #include "shared/scene_structs.h"
 
-/// The density per area 1 / area as one per solid angle (docs/models.md, "Direct light"):
-/// distance^2 / (cos theta area). Zero edge on.
+/// The density per area, 1 / area, converted to solid angle (docs/models.md, "Direct light"):
+/// distance^2 / (cos theta area). Zero if the surface is seen edge-on.
 float solidAnglePdf(float area, vec3 shadingPoint, vec3 position, vec3 normal) {
     vec3 d = position - shadingPoint;
     float distance2 = dot(d, d);
@@ -14,12 +14,12 @@ float solidAnglePdf(float area, vec3 shadingPoint, vec3 position, vec3 normal) {
     return cosTheta > 0.0 ? distance2 / (cosTheta * area) : 0.0;
 }
 
-/// Of a light that is sampled by points uniform on its area.
+/// The density of a light that is sampled by uniform points on its area.
 float uniformPointPdf(Light light, vec3 shadingPoint, LightPoint point) {
     return solidAnglePdf(light.area, shadingPoint, point.position, point.normal);
 }
 
-/// From the front, or from both sides.
+/// Emitted from the front, or from both sides.
 vec3 areaLightRadiance(Light light, LightPoint point) {
     bool emits = dot(point.normal, point.wi) < 0.0 || (light.flags & kLightEmitsFromBack) != 0u;
     return emits ? light.radiance : vec3(0.0);

@@ -1,4 +1,4 @@
-// A closed cone that shines, from uniform points (docs/models.md, "Quadric lights").
+// A closed cone that emits, sampled by uniform points (docs/models.md, "Quadric lights").
 #ifndef CALOTYPE_LIGHTS_CONE_LIGHT_GLSL
 #define CALOTYPE_LIGHTS_CONE_LIGHT_GLSL
 

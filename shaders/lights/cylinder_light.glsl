@@ -1,4 +1,4 @@
-// A closed cylinder that shines, from uniform points (docs/models.md, "Quadric lights").
+// A closed cylinder that emits, sampled by uniform points (docs/models.md, "Quadric lights").
 #ifndef CALOTYPE_LIGHTS_CYLINDER_LIGHT_GLSL
 #define CALOTYPE_LIGHTS_CYLINDER_LIGHT_GLSL
 

@@ -1,4 +1,4 @@
-// A disk that shines, from uniform points (docs/models.md, "Quadric lights").
+// A disk that emits, sampled by uniform points (docs/models.md, "Quadric lights").
 #ifndef CALOTYPE_LIGHTS_DISK_LIGHT_GLSL
 #define CALOTYPE_LIGHTS_DISK_LIGHT_GLSL
 

@@ -42,25 +42,25 @@ bool isHiddenFromCamera(uint light) {
            (loadLight(light).flags & kLightHiddenFromCamera) != 0u;
 }
 
-/// A light that is infinitely far away. Where the kernel has lights of one sort only, it does not
-/// look at the kind.
+/// A light that is infinitely far away. A kernel without lights of the other sort, finite or
+/// infinite, does not read Light.kind.
 bool isInfiniteLight(Light light) {
     return hasInfiniteLights && (!hasFiniteLights || isInfiniteKind(light.kind));
 }
 
-/// Whether the light is of a kind, which the kernel has or not. Where it has no other of the same
-/// sort, finite or infinite, it does not look.
+/// Whether the light has that kind. `isPresent`: the kernel has lights of the kind. `isAlone`: it
+/// has no other kind of the same sort, finite or infinite; then Light.kind is not read.
 bool isOfKind(Light light, uint kind, bool isPresent, bool isAlone) {
     return isPresent && (isAlone || light.kind == kind);
 }
 
-// In the functions below there is a line for each kind of one sort.
+// The functions below have a line for each finite, or each infinite, kind of the table.
 #define IF_FINITE(id, isInfinite)                                                                  \
     if (!isInfinite && isOfKind(light, kLight##id, has##id##Lights, kFiniteKinds == 1u))
 #define IF_INFINITE(id, isInfinite)                                                                \
     if (isInfinite && isOfKind(light, kLight##id, has##id##Lights, kInfiniteKinds == 1u))
 
-/// A point on the light for lighting `shadingPoint`.
+/// Samples a point on the light to illuminate `shadingPoint`.
 LightSample sampleLight(Light light, vec3 shadingPoint, vec2 u) {
     LightSample result = LightSample(pointAtInfinity(vec3(0.0)), 0.0);
     if (isInfiniteLight(light)) {
@@ -75,9 +75,9 @@ LightSample sampleLight(Light light, vec3 shadingPoint, vec2 u) {
     return result;
 }
 
-/// Density per solid angle with which sampleLight chooses a point that is seen from `shadingPoint`,
-/// of a light that is not infinite: 0 on the far side of a closed light, which only a ray through
-/// the alpha of its near side meets.
+/// Density per solid angle with which sampleLight chooses a point that `shadingPoint` sees. The
+/// light is not infinite. 0 on the far side of a closed light: only a ray through a transparent
+/// point of its near side gets there.
 float finiteLightPdf(Light light, vec3 shadingPoint, LightPoint point) {
     float result = 0.0;
 #define LIGHT(id, isInfinite, people)                                                              \
@@ -86,7 +86,7 @@ float finiteLightPdf(Light light, vec3 shadingPoint, LightPoint point) {
     return result;
 }
 
-/// Likewise of a direction to an infinite light.
+/// Density per solid angle with which sampleLight chooses a direction of an infinite light.
 float infiniteLightPdf(Light light, vec3 shadingPoint, LightPoint point) {
     float result = 0.0;
 #define LIGHT(id, isInfinite, people)                                                              \
@@ -95,7 +95,7 @@ float infiniteLightPdf(Light light, vec3 shadingPoint, LightPoint point) {
     return result;
 }
 
-/// Radiance that arrives from a point of a light that is not infinite.
+/// Radiance of a light that is not infinite from a point of it.
 vec3 finiteLightRadiance(Light light, LightPoint point) {
     vec3 result = vec3(0.0);
 #define LIGHT(id, isInfinite, people)                                                              \
@@ -104,7 +104,7 @@ vec3 finiteLightRadiance(Light light, LightPoint point) {
     return result;
 }
 
-/// Radiance that arrives from a direction of an infinite light.
+/// Radiance of an infinite light from a direction.
 vec3 infiniteLightRadiance(Light light, LightPoint point) {
     vec3 result = vec3(0.0);
 #define LIGHT(id, isInfinite, people)                                                              \

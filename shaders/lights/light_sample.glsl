@@ -5,10 +5,10 @@
 //   LightSample sample<Kind>Light(Light light, vec3 shadingPoint, vec2 u)
 //       Chooses a direction towards the light; each component of u is uniform in [0, 1).
 //   float pdfOf<Kind>Light(Light light, vec3 shadingPoint, LightPoint point)
-//       The density, per solid angle at `shadingPoint`, with which that function chooses `point`,
-//       which a ray met.
+//       The density, per solid angle at `shadingPoint`, with which that function chooses `point`.
+//       A ray found `point`.
 //   vec3 radianceOf<Kind>Light(Light light, LightPoint point)
-//       The radiance that arrives from `point`, W/(m^2 sr), if nothing stands in the way.
+//       The radiance that arrives from `point`, W/(m^2 sr), if nothing blocks it.
 //
 // Kinds that have an area share lights/area_light.glsl. Kinds that are infinitely far away have the
 // direction point.wi only. To add a kind: write its file, include it in lights/light.glsl, and give
@@ -16,10 +16,10 @@
 #ifndef CALOTYPE_LIGHTS_LIGHT_SAMPLE_GLSL
 #define CALOTYPE_LIGHTS_LIGHT_SAMPLE_GLSL
 
-/// What a ray from a shading point meets of a light.
+/// A point of a light, as a ray from a shading point finds it.
 struct LightPoint {
     vec3 wi;          ///< unit direction from the shading point
-    vec3 position;    ///< this and what follows is only of a light that has an area
+    vec3 position;    ///< this and the fields below: only of lights that have an area
     float error;      ///< bound on the distance along `normal` from `position` to the true surface
     vec3 normal;      ///< of the front
     vec2 coordinates; ///< barycentrics on a triangle, texture coordinates on a quadric
@@ -27,7 +27,7 @@ struct LightPoint {
 
 struct LightSample {
     LightPoint point;
-    float pdf; ///< per solid angle at the shading point; 0 where the point cannot be seen from it
+    float pdf; ///< per solid angle at the shading point; 0 if the point is not visible from it
 };
 
 /// A point on a light that a ray hit. The other fields are zero.

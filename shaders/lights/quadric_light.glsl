@@ -1,6 +1,6 @@
-// What lights that are quadrics have in common. They shine from uniform points on their area
-// (docs/models.md, "Quadric lights"), but for the sphere. A closed convex surface shows a point
-// outside only what faces it, and a point inside everything.
+// What lights that are quadrics have in common. All but the sphere are sampled by uniform points on
+// their area (docs/models.md, "Quadric lights"). From outside, only the parts of a closed convex
+// surface that face the point are visible; from inside, all of it is.
 #ifndef CALOTYPE_LIGHTS_QUADRIC_LIGHT_GLSL
 #define CALOTYPE_LIGHTS_QUADRIC_LIGHT_GLSL
 
@@ -11,7 +11,7 @@
 
 Quadric quadricOf(Light light) { return loadQuadric(light.primitive & ~kQuadricBit); }
 
-/// True where p, in the quadric's frame, lies inside a sphere, cylinder or cone.
+/// True if p, in the quadric's frame, is inside a sphere, cylinder or cone.
 bool isInsideQuadric(Quadric quadric, vec3 p) {
     if (quadric.kind == kSphere)
         return dot(p, p) < quadric.radius * quadric.radius;
@@ -21,14 +21,14 @@ bool isInsideQuadric(Quadric quadric, vec3 p) {
     return y <= yMax && y >= 0.0 && dot(p.xz, p.xz) < radius * radius;
 }
 
-/// True for a point of a closed quadric that its own near side hides from `shadingPoint`.
+/// True if the near side of a closed quadric hides this point of it from `shadingPoint`.
 bool isOnFarSide(Quadric quadric, vec3 shadingPoint, vec3 position, vec3 normal) {
     bool facesAway = dot(shadingPoint - position, normal) < 0.0;
     return facesAway &&
            !isInsideQuadric(quadric, (shadingPoint - quadric.center) * worldFromQuadric(quadric));
 }
 
-/// True for a point that a ray met on the far side: through the alpha of the near side.
+/// True if a ray found the point on the far side, through a transparent point of the near side.
 bool isMetOnFarSide(Light light, vec3 shadingPoint, LightPoint point) {
     return hasAlpha && isOnFarSide(quadricOf(light), shadingPoint, point.position, point.normal);
 }

@@ -1,4 +1,4 @@
-// A triangle that shines, from uniform points (docs/models.md, "Triangle light").
+// A triangle that emits, sampled by uniform points (docs/models.md, "Triangle light").
 #ifndef CALOTYPE_LIGHTS_TRIANGLE_LIGHT_GLSL
 #define CALOTYPE_LIGHTS_TRIANGLE_LIGHT_GLSL
 

@@ -8,7 +8,7 @@
 #include "path/mis.glsl"
 #include "path/visibility.glsl"
 
-/// The share of its light that an emitter sends out: less than 1 of a primitive with holes in it.
+/// The alpha of the emitter's own surface: the share of its light that it emits there.
 float emitterAlpha(Light light, vec2 coordinates) {
     if (light.primitive == kNone)
         return 1.0;

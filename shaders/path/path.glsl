@@ -22,10 +22,10 @@ float bsdfWeight(Path path, float lightPdf) {
     return path.bsdfPdf >= kSpecularPdf || lightPdf == 0.0 ? 1.0 : 0.0;
 }
 
-/// Where the path's ray comes from: its last event, whatever the ray passed through since.
+/// The point of the last event, from which the path's ray comes.
 vec3 shadingPointOf(Path path) { return hasAlpha ? path.vertex : path.rayOrigin; }
 
-/// Light that comes from infinitely far away.
+/// Light from infinitely far away.
 vec3 infiniteLight(Path path, Light light) {
     LightPoint point = pointAtInfinity(path.rayDirection);
     float pdf = infiniteLightPdf(light, shadingPointOf(path), point);

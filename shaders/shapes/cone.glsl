@@ -20,13 +20,16 @@
 
 /// Parameter of the first crossing of side or base, or kFar if there is none.
 float intersectCone(LocalRay ray, float height, float slope) {
+    // Mirrored so that the base is above the apex.
     float towardBase = height < 0.0 ? -1.0 : 1.0;
     vec3 o = vec3(ray.origin.x, ray.origin.y * towardBase, ray.origin.z);
     vec3 d = vec3(ray.direction.x, ray.direction.y * towardBase, ray.direction.z);
+    // From afar, start at the point nearest to the apex.
     float kk = slope * slope;
     bool fromAfar = dot(o, o) > 4.0 * height * height * (1.0 + kk);
     float shift = fromAfar ? -dot(o, d) / dot(d, d) : 0.0;
     o += shift * d;
+    // The coefficients, and a bound on the error of c = oo - kyy.
     vec3 moment = cross(o, d);
     float a = dot(d.xz, d.xz) - kk * d.y * d.y;
     float b = dot(o.xz, d.xz) - kk * o.y * d.y;
@@ -36,12 +39,14 @@ float intersectCone(LocalRay ray, float height, float slope) {
                    2.0 * (dot(abs(o.xz), ray.error.xz) + kk * abs(o.y) * ray.error.y);
     cError = fromAfar ? 0.0 : cError;
     float discriminant = kk * dot(moment.xz, moment.xz) - moment.y * moment.y;
+    // The interval inside the side, by the three cases above.
     a = a == 0.0 ? -1e-30 : a;
     float near, far;
     bool hit = quadraticRoots(a, b, oo - kyy, cError, discriminant, near, far);
     float first = min(near, far);
     float second = max(near, far);
     vec2 side = a > 0.0 ? vec2(first, second) : d.y > 0.0 ? vec2(second, kFar) : vec2(-kFar, first);
+    // The interval between apex and base, and what is in both.
     float yError = ray.error.y + GAMMA(2.0) * abs(o.y);
     vec2 base = slabInterval(o.y, d.y, 0.0, abs(height), yError);
     vec2 interval = vec2(max(side.x, base.x), min(side.y, base.y)) + shift;
@@ -78,6 +83,7 @@ vec3 coneNormal(vec3 p, float height, float slope) {
     float radius = length(p.xz);
     if (radius == 0.0)
         return vec3(0.0, -towardBase, 0.0);
+    // On the side: across the line from the apex.
     float scale = inversesqrt(1.0 + slope * slope);
     return vec3(p.x / radius * scale, -towardBase * slope * scale, p.z / radius * scale);
 }

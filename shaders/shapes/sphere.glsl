@@ -26,10 +26,12 @@ struct SpherePosition {
 /// `centerRest` is the rounding error of `center`. The bound: the sums and products of the errors
 /// have about eight roundings, relative to terms that are themselves roundings.
 SpherePosition spherePosition(vec3 p, vec3 center, vec3 centerRest, float radius) {
+    // v + rest is p - center, but for the rounding of `rest`.
     precise vec3 v = p - center;
     precise vec3 rest = vec3(sumError(p.x, -center.x, v.x), sumError(p.y, -center.y, v.y),
                              sumError(p.z, -center.z, v.z)) -
                         centerRest;
+    // v.v - r^2 in floats, and the errors of its sums and products.
     precise vec3 squares = v * v;
     precise float rr = radius * radius;
     precise float sum1 = squares.x - rr;
@@ -40,6 +42,7 @@ SpherePosition spherePosition(vec3 p, vec3 center, vec3 centerRest, float radius
     precise float productErrors =
         productError(v.x, v.x, squares.x) + productError(v.y, v.y, squares.y) +
         productError(v.z, v.z, squares.z) - productError(radius, radius, rr);
+    // All together, with what `rest` adds: 2 v.rest + rest.rest.
     precise float power = sum3 + (sumErrors + productErrors + dot(2.0 * v + rest, rest));
     float size = squares.x + squares.y + squares.z + rr + dot(abs(v), abs(center));
     return SpherePosition(v, power, GAMMA(8.0) * kUnitRoundoff * size);
@@ -50,6 +53,7 @@ float intersectSphere(SpherePosition origin, vec3 d, float radius) {
     vec3 o = origin.fromCenter;
     float a = dot(d, d);
     float b = dot(o, d);
+    // D near the surface, and from afar.
     vec3 moment = cross(o, d);
     float rr = radius * radius;
     float discriminant =

@@ -2,7 +2,7 @@
 // display name. Each line defines kFeatureTriangles (shared/specialization.h), hasTriangles
 // (config/features.glsl), the name (host/pack/scene_features.cpp) and a test (kTrianglesCase,
 // tests/support/feature_cases.cpp). The feature's number is the line's distance from the first, so
-// there is no line between them.
+// there must be no other line between them.
 //
 // LIGHT is a kind of light: identifier, whether it is infinitely far away, and name. Its feature is
 // TriangleLights. From its line also come kLightTriangle (shared/scene_structs.h) and the calls of
@@ -12,7 +12,7 @@
 // Diffuse. From its line also come kLobeDiffuse (shared/scene_structs.h), its part of a Bsdf and
 // the calls of its functions (bsdf/bsdf.glsl). These lines follow each other.
 //
-// What the file that includes this leaves undefined is empty, and a LIGHT or LOBE is a FEATURE.
+// The macros that the including file does not define: LIGHT and LOBE are FEATURE, others are empty.
 #ifndef BEGIN_FEATURES
 #define BEGIN_FEATURES
 #endif
@@ -35,7 +35,7 @@ FEATURE(Spheres, "spheres") // these four are in the order of Quadric::kind
 FEATURE(Cylinders, "cylinders")
 FEATURE(Cones, "cones")
 FEATURE(Disks, "disks")
-FEATURE(ManyQuadrics, "many quadrics") // too many for rays to wait with them
+FEATURE(ManyQuadrics, "many quadrics") // too many for rays to wait before quadrics
 LIGHT(Triangle, false, "triangle lights")
 LIGHT(Sphere, false, "sphere lights") // these four are in the order of Quadric::kind
 LIGHT(Cylinder, false, "cylinder lights")
@@ -48,7 +48,7 @@ LOBE(Diffuse, diffuse, "diffuse")
 LOBE(Ggx, ggx, "GGX")
 LOBE(BlinnPhong, blinnPhong, "Blinn-Phong")
 LOBE(Dielectric, dielectric, "dielectrics")
-FEATURE(Mirrors, "mirrors") // GGX of (almost) no roughness
+FEATURE(Mirrors, "mirrors") // GGX of almost no roughness
 FEATURE(ColorTextures, "color textures")
 FEATURE(RoughnessTextures, "roughness textures")
 FEATURE(SpecularTextures, "specular textures")

@@ -16,7 +16,7 @@ FIELD(uint, lightCount, w)
 ROW(uint, iterationBudget, x)  ///< loop iterations after which a subgroup parks its paths
 FIELD(float, indirectClamp, y) ///< most of one contribution of light scattered twice or more,
                                ///< W/(m^2 sr)
-FIELD(uint, infiniteLight, z)  ///< the light that rays find which meet no surface, or kNone
+FIELD(uint, infiniteLight, z)  ///< the light of rays that hit no surface, or kNone
 FIELD(uint, pad0, w)
 END(RenderParameters)
 

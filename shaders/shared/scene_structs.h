@@ -22,14 +22,14 @@ CALOTYPE_CONSTANT uint kCylinder = 1;
 CALOTYPE_CONSTANT uint kCone = 2;
 CALOTYPE_CONSTANT uint kDisk = 3;
 
-// Material::lobes: those that a material is made of. At most one of GGX and Blinn-Phong; a
-// dielectric has none.
+// Material::lobes: the lobes of the material. At most one of GGX and Blinn-Phong; a dielectric has
+// none of them.
 #define LOBE(id, member, people)                                                                   \
     CALOTYPE_CONSTANT uint kLobe##id = 1u << (kFeature##id - kFeatureDiffuse);
 #include "shared/feature_table.h"
-// Material::lobes: how the material's numbers are read. The lobes have the bits below.
-CALOTYPE_CONSTANT uint kColorIsF0 = 0x10000u;      ///< GGX of a metal, else F0 is `specular`
-CALOTYPE_CONSTANT uint kColorIsTint = 0x20000u;    ///< of light that crosses: the surface is clear
+// Material::lobes: flags for the material's numbers, above the bits of the lobes.
+CALOTYPE_CONSTANT uint kColorIsF0 = 0x10000u;      ///< GGX of a metal; else F0 is `specular`
+CALOTYPE_CONSTANT uint kColorIsTint = 0x20000u;    ///< of light that crosses a clear surface
 CALOTYPE_CONSTANT uint kSmithMasking = 0x40000u;   ///< GGX
 CALOTYPE_CONSTANT uint kNormalizedLobe = 0x80000u; ///< Blinn-Phong
 
@@ -52,7 +52,7 @@ CALOTYPE_CONSTANT uint kTextureMirrors = 32u;
 #define END_FEATURES ;
 #include "shared/feature_table.h"
 
-/// Whether lights of that kind are infinitely far away: rays that meet no surface find them.
+/// Whether lights of that kind are infinitely far away: rays that hit no surface find them.
 CALOTYPE_FUNCTION bool isInfiniteKind(uint kind) {
     return ((kInfiniteLightKinds >> kind) & 1u) != 0u;
 }
