@@ -62,17 +62,15 @@ bool isOfKind(Light light, uint kind, bool isPresent, bool isAlone) {
 
 /// Samples a point on the light to illuminate `shadingPoint`.
 LightSample sampleLight(Light light, vec3 shadingPoint, vec2 u) {
-    LightSample result = LightSample(pointAtInfinity(vec3(0.0)), 0.0);
     if (isInfiniteLight(light)) {
 #define LIGHT(id, isInfinite, people)                                                              \
-    IF_INFINITE(id, isInfinite) result = sample##id##Light(light, shadingPoint, u);
-#include "shared/feature_table.h"
-    } else {
-#define LIGHT(id, isInfinite, people)                                                              \
-    IF_FINITE(id, isInfinite) result = sample##id##Light(light, shadingPoint, u);
+    IF_INFINITE(id, isInfinite) return sample##id##Light(light, shadingPoint, u);
 #include "shared/feature_table.h"
     }
-    return result;
+#define LIGHT(id, isInfinite, people)                                                              \
+    IF_FINITE(id, isInfinite) return sample##id##Light(light, shadingPoint, u);
+#include "shared/feature_table.h"
+    return LightSample(pointAtInfinity(vec3(0.0)), 0.0);
 }
 
 /// Density per solid angle with which sampleLight chooses a point that `shadingPoint` sees. The
