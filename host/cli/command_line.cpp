@@ -127,11 +127,10 @@ CLI::App& addStudyCommand(CLI::App& app, StudyOptions& options) {
                      "; \"reference\": the reference tracer, in double precision on the CPU");
     command.footer(
         "Two fifths of the time go to the ground truth, a picture of many samples. The rest is "
-        "shared equally\nby the default settings, by settings with one change each, by a basic "
-        "path tracer (no MIS, no\nroulette, independent samples, 4 bounces), and last by all "
-        "improvements together. Without --size "
-        "the pictures are smaller\nthan the scene's where time is short. Ctrl-C keeps what was "
-        "measured so far.\n\n"
+        "shared\nequally by the default settings, by settings with one change each, by a basic "
+        "path tracer (no\nMIS, no roulette, independent samples, 4 bounces), and last by all "
+        "improvements together. Without\n--size the pictures are smaller than the scene's where "
+        "time is short. Ctrl-C keeps what was\nmeasured so far.\n\n"
         "Example: calotype study scenes/cornell-box.json --budget 10m -o study");
     return command;
 }
