@@ -20,13 +20,13 @@ vec3 sampleCone(float radius, float height, vec2 u) {
 }
 
 LightSample sampleConeLight(Light light, vec3 shadingPoint, vec2 u) {
-    Quadric cone = quadricOf(light);
+    Quadric cone = quadricOf(light, kCone);
     vec3 local = sampleCone(cone.radius, cone.extent, u);
     return closedQuadricSample(light, cone, local, shadingPoint);
 }
 
 float pdfOfConeLight(Light light, vec3 shadingPoint, LightPoint point) {
-    return closedQuadricPdf(light, shadingPoint, point);
+    return closedQuadricPdf(light, kCone, shadingPoint, point);
 }
 
 vec3 radianceOfConeLight(Light light, LightPoint point) { return areaLightRadiance(light, point); }

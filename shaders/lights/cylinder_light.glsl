@@ -20,13 +20,13 @@ vec3 sampleCylinder(float radius, float height, vec2 u) {
 }
 
 LightSample sampleCylinderLight(Light light, vec3 shadingPoint, vec2 u) {
-    Quadric cylinder = quadricOf(light);
+    Quadric cylinder = quadricOf(light, kCylinder);
     vec3 local = sampleCylinder(cylinder.radius, cylinder.extent, u);
     return closedQuadricSample(light, cylinder, local, shadingPoint);
 }
 
 float pdfOfCylinderLight(Light light, vec3 shadingPoint, LightPoint point) {
-    return closedQuadricPdf(light, shadingPoint, point);
+    return closedQuadricPdf(light, kCylinder, shadingPoint, point);
 }
 
 vec3 radianceOfCylinderLight(Light light, LightPoint point) {

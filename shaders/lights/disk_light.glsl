@@ -12,7 +12,7 @@ vec3 sampleDisk(float radius, vec2 u) {
 }
 
 LightSample sampleDiskLight(Light light, vec3 shadingPoint, vec2 u) {
-    Quadric disk = quadricOf(light);
+    Quadric disk = quadricOf(light, kDisk);
     LightPoint point = quadricLightPoint(disk, sampleDisk(disk.radius, u), shadingPoint);
     return LightSample(point, uniformPointPdf(light, shadingPoint, point));
 }

@@ -9,7 +9,12 @@
 #include "shapes/quadric.glsl"
 #include "shapes/surface_coordinates.glsl"
 
-Quadric quadricOf(Light light) { return loadQuadric(light.primitive & ~kQuadricBit); }
+/// `kind` is that of the quadric. As the light's kind says it, code for other kinds is left out.
+Quadric quadricOf(Light light, uint kind) {
+    Quadric quadric = loadQuadric(light.primitive & ~kQuadricBit);
+    quadric.kind = kind;
+    return quadric;
+}
 
 /// True if p, in the quadric's frame, is inside a sphere, cylinder or cone.
 bool isInsideQuadric(Quadric quadric, vec3 p) {
@@ -29,8 +34,9 @@ bool isOnFarSide(Quadric quadric, vec3 shadingPoint, vec3 position, vec3 normal)
 }
 
 /// True if a ray found the point on the far side, through a transparent point of the near side.
-bool isMetOnFarSide(Light light, vec3 shadingPoint, LightPoint point) {
-    return hasAlpha && isOnFarSide(quadricOf(light), shadingPoint, point.position, point.normal);
+bool isMetOnFarSide(Light light, uint kind, vec3 shadingPoint, LightPoint point) {
+    return hasAlpha &&
+           isOnFarSide(quadricOf(light, kind), shadingPoint, point.position, point.normal);
 }
 
 /// A point of a quadric, given in the quadric's frame.
@@ -48,9 +54,10 @@ LightSample closedQuadricSample(Light light, Quadric quadric, vec3 local, vec3 s
     return LightSample(point, isHidden ? 0.0 : uniformPointPdf(light, shadingPoint, point));
 }
 
-float closedQuadricPdf(Light light, vec3 shadingPoint, LightPoint point) {
-    return isMetOnFarSide(light, shadingPoint, point) ? 0.0
-                                                      : uniformPointPdf(light, shadingPoint, point);
+float closedQuadricPdf(Light light, uint kind, vec3 shadingPoint, LightPoint point) {
+    return isMetOnFarSide(light, kind, shadingPoint, point)
+               ? 0.0
+               : uniformPointPdf(light, shadingPoint, point);
 }
 
 #endif

@@ -31,7 +31,7 @@ float spherePdf(Light light, Quadric sphere, vec3 shadingPoint, LightPoint point
 /// So a shading point on the sphere itself gets no light, because the whole cone is below its
 /// surface.
 LightSample sampleSphereLight(Light light, vec3 shadingPoint, vec2 u) {
-    Quadric sphere = quadricOf(light);
+    Quadric sphere = quadricOf(light, kSphere);
     vec3 toShadingPoint = shadingPoint - sphere.center;
     float sin2ThetaMax = sphereSin2(sphere, shadingPoint);
     bool outside = sin2ThetaMax < 1.0;
@@ -68,9 +68,9 @@ LightSample sampleSphereLight(Light light, vec3 shadingPoint, vec2 u) {
 }
 
 float pdfOfSphereLight(Light light, vec3 shadingPoint, LightPoint point) {
-    return isMetOnFarSide(light, shadingPoint, point)
+    return isMetOnFarSide(light, kSphere, shadingPoint, point)
                ? 0.0
-               : spherePdf(light, quadricOf(light), shadingPoint, point);
+               : spherePdf(light, quadricOf(light, kSphere), shadingPoint, point);
 }
 
 vec3 radianceOfSphereLight(Light light, LightPoint point) {

@@ -14,8 +14,8 @@ float emitterAlpha(Light light, vec2 coordinates) {
         return 1.0;
     bool isTriangle =
         hasTriangleLights && (!hasQuadricLights || (light.primitive & kQuadricBit) == 0u);
-    uint materialIndex =
-        isTriangle ? loadTriangle(light.primitive).material : quadricOf(light).material;
+    uint materialIndex = isTriangle ? loadTriangle(light.primitive).material
+                                    : loadQuadric(light.primitive & ~kQuadricBit).material;
     vec2 uv = isTriangle ? triangleUv(loadTriangleUvs(light.primitive), coordinates) : coordinates;
     bool transparent = (materialIndex & kTransparentBit) != 0u;
     return transparent ? alphaAt(loadMaterial(materialIndex & ~kTransparentBit), uv) : 1.0;
