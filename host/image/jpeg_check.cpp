@@ -38,8 +38,10 @@ bool areTablesSound(std::string_view tables) {
     return true;
 }
 
-/// Visits all markers, also after compressed data, to the end of the picture.
-bool areAllTablesSound(std::string_view file) {
+/// Visits all markers, also after compressed data, to the one that ends the picture. False if a
+/// segment is malformed, or if there is no end: newer versions of stb_image accept files that are
+/// cut off.
+bool isWhole(std::string_view file) {
     size_t at = file.find('\xff');
     while (at != std::string_view::npos && file.size() - at >= 2) {
         const uint32_t marker = byteAt(file, at + 1);
@@ -60,13 +62,13 @@ bool areAllTablesSound(std::string_view file) {
             return false;
         at = file.find('\xff', at + 2 + length);
     }
-    return true; // stb_image detects a missing end
+    return false;
 }
 
 } // namespace
 
 ImageSize checkJpeg(std::string_view file, const std::string& where) {
-    if (!areAllTablesSound(file))
+    if (!isWhole(file))
         throw SceneError(where, "the JPEG is corrupt: a part of it is cut off or malformed");
     int width = 0;
     int height = 0;

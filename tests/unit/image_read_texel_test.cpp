@@ -69,8 +69,8 @@ TEST(ReadTexelImageTest, ReadsJpegNearly) {
     for (size_t i = 0; i < image.bytes.size(); ++i)
         EXPECT_NEAR(image.bytes[i], i % 4 == 3 ? 255 : 77, 1);
     EXPECT_TRUE(image.isEncoded);
-    expectRefused(jpeg.substr(0, jpeg.size() - 20), "JPEG is corrupt");
-    expectRefused(jpeg.substr(0, 30), "JPEG is corrupt");
+    for (const size_t cut : {size_t{1}, size_t{2}, size_t{20}, jpeg.size() - 30})
+        expectRefused(jpeg.substr(0, jpeg.size() - cut), "JPEG is corrupt");
 }
 
 TEST(ReadTexelImageTest, KeepsSixteenBits) {

@@ -23,19 +23,24 @@ TEST(SceneSyntaxTest, AcceptsCommentsOfBothKinds) {
     EXPECT_EQ(scene.film.width, 640u);
 }
 
+// What is wrong is said in the words of the JSON library, which change between its versions.
 TEST(SceneSyntaxTest, NamesLineAndColumn) {
-    expectError(errorOfText("{\n  \"camera\": {},\n  \"film\" {}\n}"), "scene.json:3:10",
-                "expected ':'");
-    expectError(errorOfText("{\"camera\": {},}"), "scene.json:1:15", "unexpected '}'");
-    expectError(errorOfText(""), "scene.json:1:1", "unexpected end of input");
-    expectError(errorOfText("{\"camera\": {}"), "scene.json:1:14", "unexpected end of input");
-    expectError(errorOfText("{} {}"), "scene.json:1:4", "expected end of input");
-    expectError(errorOfText("{\"camera\": {} /* open"), "scene.json:1:22", "missing closing '*/'");
+    const std::string words = "syntax error";
+    expectError(errorOfText("{\n  \"camera\": {},\n  \"film\" {}\n}"), "scene.json:3:10", words);
+    expectError(errorOfText("{\"camera\": {},}"), "scene.json:1:15", words);
+    expectError(errorOfText(" "), "scene.json:1:2", words);
+    expectError(errorOfText("{\"camera\": {}"), "scene.json:1:14", words);
+    expectError(errorOfText("{} {}"), "scene.json:1:4", words);
+    expectError(errorOfText("{\"camera\": {} /* open"), "scene.json:1:22", words);
+}
+
+TEST(SceneSyntaxTest, SaysThatAFileIsEmpty) {
+    expectError(errorOfText(""), "scene.json:1:1", "the file is empty");
 }
 
 TEST(SceneSyntaxTest, CountsCharactersNotBytes) {
     // Two-byte letters: the comma stands in column 8.
-    expectError(errorOfText("{\"\u00e4\u00f6\u00fc\":,}"), "scene.json:1:8", "unexpected ','");
+    expectError(errorOfText("{\"\u00e4\u00f6\u00fc\":,}"), "scene.json:1:8", "syntax error");
 }
 
 TEST(SceneSyntaxTest, RefusesRepeatedKeysWithTheirPointer) {

@@ -158,6 +158,8 @@ private:
 } // namespace
 
 json parseJson(std::string_view text, const std::string& name) {
+    if (text.empty())
+        throw SceneError(name + ":1:1", "the file is empty; a JSON object is expected");
     DocumentBuilder builder(text, name);
     const bool strict = true;
     const bool ignoreComments = true;
