@@ -10,6 +10,7 @@
 
 #include "accel/traversal.glsl"
 #include "config/settings.glsl"
+#include "kernels/lanes.glsl"
 
 // The stack of the lane's ray, in its own memory or in memory shared by the workgroup. These are
 // variables of the whole kernel, because GLSL copies arguments.
@@ -45,12 +46,6 @@ bool isWithinBudget(IterationCount count) { return count.passes < count.budget; 
 bool countIteration(inout IterationCount count) {
     count.passes++;
     return isWithinBudget(count);
-}
-
-uint lanesWhere(bool condition) { return subgroupBallotBitCount(subgroupBallot(condition)); }
-
-bool areEnough(bool condition, uint eighths, uint lanesAtWork) {
-    return 8u * lanesWhere(condition) >= max(eighths * lanesAtWork, 1u);
 }
 
 /// Visits the next node of the lane's ray, if visiting a node is its next step.

@@ -3,6 +3,7 @@
 #define CALOTYPE_KERNELS_TILE_WORK_GLSL
 
 #include "film/tiles.glsl"
+#include "kernels/lanes.glsl"
 #include "kernels/pixel_task.glsl"
 #include "shared/render_structs.h"
 

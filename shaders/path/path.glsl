@@ -1,10 +1,10 @@
 // A light path, one ray at a time (docs/models.md, "Light transport"). After each ray the path
-// takes one of these steps:
-// pathMiss           its ray left the scene
-//     pathSurface        its ray met a surface
-//     pathShadow         its shadow ray reached the light, or something opaque before it
-//     pathShadowThrough  its shadow ray met a surface that lets a part of the light through
-// Each sets the next ray and returns true, or returns false where the path ends.
+// takes one of these steps, which sets the next ray and returns true, or returns false if the path
+// ends:
+// - pathMiss: its ray left the scene;
+// - pathSurface: its ray hit a surface;
+// - pathShadow: its shadow ray reached the light, or hit something opaque before it;
+// - pathShadowThrough: its shadow ray hit a surface that transmits a part of the light.
 #ifndef CALOTYPE_PATH_PATH_GLSL
 #define CALOTYPE_PATH_PATH_GLSL
 
