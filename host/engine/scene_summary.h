@@ -22,8 +22,8 @@ struct SceneSummary {
     size_t textures = 0;
     uint64_t textureBytes = 0; ///< on the device
     uint32_t lights = 0;
-    uint64_t droppedTriangles = 0; ///< metres; empty if no shape has an extent
-    Bounds3d bounds;               ///< metres; empty where nothing has an extent
+    uint64_t droppedTriangles = 0; ///< triangles without area, which are left out
+    Bounds3d bounds;               ///< metres; empty if no shape has an extent
 
     BvhBuilder builder = BvhBuilder::Sah;
     size_t nodes = 0;

@@ -7,7 +7,6 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/vector_relational.hpp>
 
 #include "image/coarse_ball.h"
 #include "kernels/boundary_paths.spv.h"
@@ -186,27 +185,15 @@ Scene boundaries() {
     return builder.scene();
 }
 
-bool differs(const glm::dvec3& found, const glm::dvec3& expected, const glm::dvec3& mean) {
-    return !glm::all(
-        glm::lessThanEqual(glm::abs(found - expected), 1e-3 * (glm::abs(expected) + mean)));
-}
-
 // Device and reference, path by path: they differ where rounding tips a decision.
 TEST_F(TransmissionTest, PathsAreTheSameOnDeviceAndReference) {
     constexpr uint32_t kSide = 96;
     const Scene scene = boundaries();
     const auto ids = samplesOf(kSide, 1);
-    const std::vector<glm::dvec3> found = onDevice(scene, kSide, ids);
-    const std::vector<glm::dvec3> expected = byReference(scene, kSide, ids);
-    glm::dvec3 mean(0.0);
-    for (const glm::dvec3& sample : expected)
-        mean += sample / static_cast<double>(expected.size());
-    size_t differing = 0;
-    for (size_t i = 0; i < expected.size(); ++i)
-        differing += differs(found[i], expected[i], mean) ? 1 : 0;
-    const double share = static_cast<double>(differing) / static_cast<double>(expected.size());
+    const double share =
+        differingShare(onDevice(scene, kSide, ids), byReference(scene, kSide, ids));
     RecordProperty("differing", std::to_string(share));
-    EXPECT_LE(share, 2e-3); // four times as many events as in the judged scenes
+    EXPECT_LE(share, 5e-4); // 4 paths of 9,216; on lavapipe 22.3 there is none
 }
 
 } // namespace

@@ -141,8 +141,11 @@ PairedDifference comparePaired(const TileMeans& a, const TileMeans& b) {
 }
 
 double differingShare(BlockTracer& device, BlockTracer& reference) {
-    const std::vector<glm::dvec3> found = firstSamples(device);
-    const std::vector<glm::dvec3> expected = firstSamples(reference);
+    return differingShare(firstSamples(device), firstSamples(reference));
+}
+
+double differingShare(const std::vector<glm::dvec3>& found,
+                      const std::vector<glm::dvec3>& expected) {
     glm::dvec3 mean(0.0);
     for (const glm::dvec3& sample : expected)
         mean += sample / static_cast<double>(expected.size());

@@ -52,6 +52,9 @@ PairedDifference comparePaired(const TileMeans& a, const TileMeans& b);
 /// The share of pixels whose first samples, from the same random numbers, differ by more than a
 /// thousandth of the reference's value and of its picture's mean together. NaN differs too.
 double differingShare(BlockTracer& device, BlockTracer& reference);
+/// Likewise of samples in the same order.
+double differingShare(const std::vector<glm::dvec3>& found,
+                      const std::vector<glm::dvec3>& expected);
 
 /// Of a vector's components.
 double largest(const glm::dvec3& v);
