@@ -192,7 +192,7 @@ private:
         packed_.lightCount = static_cast<uint32_t>(packed_.lights.size());
         for (uint32_t i = 0; i < packed_.lightCount; ++i) {
             const uint32_t name = packed_.lights[i].primitive;
-            if (shared::isInfiniteKind(packed_.lights[i].kind)) {
+            if (shared::sortOfLight(packed_.lights[i].kind) == shared::kSortInfinite) {
                 CALOTYPE_CHECK_EQ(packed_.infiniteLight, shared::kNone); // there is one at most
                 packed_.infiniteLight = i;
             }

@@ -21,10 +21,10 @@ uint32_t featureOf(uint32_t kind) { return shared::kFeatureTriangleLights + kind
 
 // The features of the kinds must follow each other.
 constexpr uint32_t kLightKinds = 0
-#define LIGHT(id, isInfinite, people) +1
+#define LIGHT(id, sort, people) +1
 #include "shared/feature_table.h"
     ;
-#define LIGHT(id, isInfinite, people) static_assert(shared::kLight##id < kLightKinds);
+#define LIGHT(id, sort, people) static_assert(shared::kLight##id < kLightKinds);
 #include "shared/feature_table.h"
 
 } // namespace

@@ -4,6 +4,7 @@
 
 #extension GL_EXT_samplerless_texture_functions : require
 
+#include "buffers/row_words.glsl"
 #include "shared/bindings.h"
 #include "shared/scene_structs.h"
 
@@ -13,13 +14,6 @@
 #define FIELD(type, name, words)
 #define END(name) ;
 #include "shared/scene_struct_table.h"
-
-// Converts the words of a row to the type of a field.
-#define WORDS_AS_uint(words) words
-#define WORDS_AS_uvec2(words) words
-#define WORDS_AS_float(words) uintBitsToFloat(words)
-#define WORDS_AS_vec2(words) uintBitsToFloat(words)
-#define WORDS_AS_vec3(words) uintBitsToFloat(words)
 
 // readX(rows, place): the struct whose first row is at this place.
 #define STRUCT(name)                                                                               \

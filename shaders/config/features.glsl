@@ -2,6 +2,7 @@
 #ifndef CALOTYPE_CONFIG_FEATURES_GLSL
 #define CALOTYPE_CONFIG_FEATURES_GLSL
 
+#include "shared/scene_structs.h"
 #include "shared/specialization.h"
 
 #define BEGIN_FEATURES
@@ -12,19 +13,23 @@
 const bool hasQuadrics = hasSpheres || hasCylinders || hasCones || hasDisks;
 const bool hasFewQuadrics = hasTriangles && hasQuadrics && !hasManyQuadrics;
 const bool hasShadingNormals = hasSmoothNormals || hasNormalMaps;
-const bool hasQuadricLights =
-    hasSphereLights || hasCylinderLights || hasConeLights || hasDiskLights;
 
-/// Kinds of lights that there may be.
-#define BEGIN_FEATURES const uint kFiniteKinds = 0u
-#define LIGHT(id, isInfinite, people) +(has##id##Lights && !isInfinite ? 1u : 0u)
+// The number of kinds of lights that there may be, by their sort.
+#define BEGIN_FEATURES const uint kAreaKinds = 0u
+#define LIGHT(id, sort, people) +(has##id##Lights && kSort##sort == kSortArea ? 1u : 0u)
+#define END_FEATURES ;
+#include "shared/feature_table.h"
+#define BEGIN_FEATURES const uint kUniformQuadricKinds = 0u
+#define LIGHT(id, sort, people) +(has##id##Lights && kSort##sort == kSortUniformQuadric ? 1u : 0u)
 #define END_FEATURES ;
 #include "shared/feature_table.h"
 #define BEGIN_FEATURES const uint kInfiniteKinds = 0u
-#define LIGHT(id, isInfinite, people) +(has##id##Lights && isInfinite ? 1u : 0u)
+#define LIGHT(id, sort, people) +(has##id##Lights && kSort##sort == kSortInfinite ? 1u : 0u)
 #define END_FEATURES ;
 #include "shared/feature_table.h"
-const bool hasFiniteLights = kFiniteKinds > 0u;
+const bool hasUniformQuadricLights = kUniformQuadricKinds > 0u;
+const bool hasQuadricLights = hasSphereLights || hasUniformQuadricLights;
+const bool hasFiniteLights = kAreaKinds > 0u || hasUniformQuadricLights;
 const bool hasInfiniteLights = kInfiniteKinds > 0u;
 const bool hasLights = hasFiniteLights || hasInfiniteLights;
 const bool hasTextures =

@@ -68,6 +68,7 @@ ParkedTask park(PixelTask task, uint nextItem) {
     parked.item = task.item;
     parked.hasPath = task.hasPath ? 1u : 0u;
     parked.nextItem = nextItem;
+    parked.pad0 = 0u;
     parked.pad1 = 0u;
     return parked;
 }

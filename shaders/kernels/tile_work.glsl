@@ -4,6 +4,7 @@
 
 #include "film/tiles.glsl"
 #include "kernels/lanes.glsl"
+#include "kernels/parked_tasks.glsl"
 #include "kernels/pixel_task.glsl"
 #include "shared/render_structs.h"
 
@@ -11,7 +12,6 @@ layout(push_constant) uniform Parameters { RenderParameters parameters; };
 layout(set = 0, binding = kBindingCamera) uniform CameraBlock { Camera camera; };
 layout(set = 0, binding = kBindingBlock, rgba32f) uniform image2D block;
 layout(set = 0, binding = kBindingCounters) buffer CountersBlock { RenderCounters counters; };
-layout(set = 0, binding = kBindingParkedTasks) buffer ParkedTasks { ParkedTask parkedTasks[]; };
 layout(set = 0, binding = kBindingTiles) readonly buffer Tiles { uint tiles[]; };
 
 struct TileWork {
@@ -65,13 +65,13 @@ uint parkingPlace(uint whichTask) {
 /// Continues where the last dispatch parked the tile, or starts the tile from the beginning.
 TileWork resumeTile(uint tile) {
     TileWork work = TileWork(cornerOfTile(tile, parameters.cropSize), 0u);
-    uint parked = parkedTasks[parkingPlace(0u)].nextItem;
+    uint parked = loadParkedTask(parkingPlace(0u)).nextItem;
     work.nextItem = parked == 0u ? kTasksPerLane * gl_SubgroupSize : parked;
     return work;
 }
 
 PixelTask resumeTask(TileWork work, uint whichTask) {
-    ParkedTask parked = parkedTasks[parkingPlace(whichTask)];
+    ParkedTask parked = loadParkedTask(parkingPlace(whichTask));
     bool isNew = parked.nextItem == 0u;
     PixelTask task;
     task.item = isNew ? whichTask * gl_SubgroupSize + gl_SubgroupInvocationID : parked.item;
@@ -88,7 +88,7 @@ void parkTask(TileWork work, uint whichTask, bool isUnfinished, PixelTask task) 
     uvec2 pixel = pixelOf(work, task);
     if (task.hasPixel && isInPicture(pixel))
         imageStore(block, ivec2(pixel), task.sum);
-    parkedTasks[parkingPlace(whichTask)] = park(task, isUnfinished ? work.nextItem : 0u);
+    storeParkedTask(parkingPlace(whichTask), park(task, isUnfinished ? work.nextItem : 0u));
 }
 
 /// Stores the lane's tasks, and adds up the totals of the subgroup. If no ray of a lane ended in

@@ -3,11 +3,13 @@
 #define CALOTYPE_LIGHTS_CONE_LIGHT_GLSL
 
 #include "core/warp.glsl"
-#include "lights/quadric_light.glsl"
+#include "shared/scene_structs.h"
 
 /// In the quadric's frame, on the side or the base, chosen by area. On the side the distance from
 /// the apex is a square root of a uniform number, because circumference grows with it.
-vec3 sampleCone(float radius, float height, vec2 u) {
+vec3 sampleCone(Quadric cone, vec2 u) {
+    float radius = cone.radius;
+    float height = cone.extent;
     float slant = sqrt(radius * radius + height * height);
     float baseShare = radius / (radius + slant);
     if (u.x < baseShare) {
@@ -18,17 +20,5 @@ vec3 sampleCone(float radius, float height, vec2 u) {
     vec2 sinCos = sinCosTwoPi(u.y);
     return fromApex * vec3(radius * sinCos.y, height, radius * sinCos.x);
 }
-
-LightSample sampleConeLight(Light light, vec3 shadingPoint, vec2 u) {
-    Quadric cone = quadricOf(light, kCone);
-    vec3 local = sampleCone(cone.radius, cone.extent, u);
-    return closedQuadricSample(light, cone, local, shadingPoint);
-}
-
-float pdfOfConeLight(Light light, vec3 shadingPoint, LightPoint point) {
-    return closedQuadricPdf(light, kCone, shadingPoint, point);
-}
-
-vec3 radianceOfConeLight(Light light, LightPoint point) { return areaLightRadiance(light, point); }
 
 #endif

@@ -3,10 +3,12 @@
 #define CALOTYPE_LIGHTS_CYLINDER_LIGHT_GLSL
 
 #include "core/warp.glsl"
-#include "lights/quadric_light.glsl"
+#include "shared/scene_structs.h"
 
 /// In the quadric's frame, on the side or one of the caps, chosen by area.
-vec3 sampleCylinder(float radius, float height, vec2 u) {
+vec3 sampleCylinder(Quadric cylinder, vec2 u) {
+    float radius = cylinder.radius;
+    float height = cylinder.extent;
     float capShare = 0.5 * radius / (height + radius);
     bool lower = u.x < capShare;
     if (lower || u.x >= 1.0 - capShare) {
@@ -17,20 +19,6 @@ vec3 sampleCylinder(float radius, float height, vec2 u) {
     float rest = (u.x - capShare) / (1.0 - 2.0 * capShare);
     vec2 sinCos = sinCosTwoPi(u.y);
     return vec3(radius * sinCos.y, (rest - 0.5) * height, radius * sinCos.x);
-}
-
-LightSample sampleCylinderLight(Light light, vec3 shadingPoint, vec2 u) {
-    Quadric cylinder = quadricOf(light, kCylinder);
-    vec3 local = sampleCylinder(cylinder.radius, cylinder.extent, u);
-    return closedQuadricSample(light, cylinder, local, shadingPoint);
-}
-
-float pdfOfCylinderLight(Light light, vec3 shadingPoint, LightPoint point) {
-    return closedQuadricPdf(light, kCylinder, shadingPoint, point);
-}
-
-vec3 radianceOfCylinderLight(Light light, LightPoint point) {
-    return areaLightRadiance(light, point);
 }
 
 #endif

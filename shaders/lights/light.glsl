@@ -8,11 +8,10 @@
 #include "core/constants.glsl"
 #include "core/random.glsl"
 #include "lights/background_light.glsl"
-#include "lights/cone_light.glsl"
-#include "lights/cylinder_light.glsl"
-#include "lights/disk_light.glsl"
+#include "lights/light_kind.glsl"
 #include "lights/sphere_light.glsl"
 #include "lights/triangle_light.glsl"
+#include "lights/uniform_quadric_light.glsl"
 
 struct LightChoice {
     uint light;
@@ -42,33 +41,29 @@ bool isHiddenFromCamera(uint light) {
            (loadLight(light).flags & kLightHiddenFromCamera) != 0u;
 }
 
-/// A light that is infinitely far away. A kernel without lights of the other sort, finite or
-/// infinite, does not read Light.kind.
-bool isInfiniteLight(Light light) {
-    return hasInfiniteLights && (!hasFiniteLights || isInfiniteKind(light.kind));
-}
-
-/// Whether the light has that kind. `isPresent`: the kernel has lights of the kind. `isAlone`: it
-/// has no other kind of the same sort, finite or infinite; then Light.kind is not read.
-bool isOfKind(Light light, uint kind, bool isPresent, bool isAlone) {
-    return isPresent && (isAlone || light.kind == kind);
-}
-
-// The functions below have a line for each finite, or each infinite, kind of the table.
-#define IF_FINITE(id, isInfinite)                                                                  \
-    if (!isInfinite && isOfKind(light, kLight##id, has##id##Lights, kFiniteKinds == 1u))
-#define IF_INFINITE(id, isInfinite)                                                                \
-    if (isInfinite && isOfKind(light, kLight##id, has##id##Lights, kInfiniteKinds == 1u))
+// The functions below have a line for each kind of the table that has the sort Area or Infinite.
+#define IF_AREA_Area(id, statement)                                                                \
+    if (isOfKind(light, kLight##id, has##id##Lights, kAreaKinds == 1u))                            \
+    statement
+#define IF_AREA_UniformQuadric(id, statement)
+#define IF_AREA_Infinite(id, statement)
+#define IF_INFINITE_Area(id, statement)
+#define IF_INFINITE_UniformQuadric(id, statement)
+#define IF_INFINITE_Infinite(id, statement)                                                        \
+    if (isOfKind(light, kLight##id, has##id##Lights, kInfiniteKinds == 1u))                        \
+    statement
 
 /// Samples a point on the light to illuminate `shadingPoint`.
 LightSample sampleLight(Light light, vec3 shadingPoint, vec2 u) {
     if (isInfiniteLight(light)) {
-#define LIGHT(id, isInfinite, people)                                                              \
-    IF_INFINITE(id, isInfinite) return sample##id##Light(light, shadingPoint, u);
+#define LIGHT(id, sort, people)                                                                    \
+    IF_INFINITE_##sort(id, return sample##id##Light(light, shadingPoint, u);)
 #include "shared/feature_table.h"
     }
-#define LIGHT(id, isInfinite, people)                                                              \
-    IF_FINITE(id, isInfinite) return sample##id##Light(light, shadingPoint, u);
+    if (isUniformQuadricLight(light))
+        return sampleUniformQuadricLight(light, shadingPoint, u);
+#define LIGHT(id, sort, people)                                                                    \
+    IF_AREA_##sort(id, return sample##id##Light(light, shadingPoint, u);)
 #include "shared/feature_table.h"
     return LightSample(pointAtInfinity(vec3(0.0)), 0.0);
 }
@@ -77,9 +72,11 @@ LightSample sampleLight(Light light, vec3 shadingPoint, vec2 u) {
 /// light is not infinite. 0 on the far side of a closed light: only a ray through a transparent
 /// point of its near side gets there.
 float finiteLightPdf(Light light, vec3 shadingPoint, LightPoint point) {
+    if (isUniformQuadricLight(light))
+        return pdfOfUniformQuadricLight(light, shadingPoint, point);
     float result = 0.0;
-#define LIGHT(id, isInfinite, people)                                                              \
-    IF_FINITE(id, isInfinite) result = pdfOf##id##Light(light, shadingPoint, point);
+#define LIGHT(id, sort, people)                                                                    \
+    IF_AREA_##sort(id, result = pdfOf##id##Light(light, shadingPoint, point);)
 #include "shared/feature_table.h"
     return result;
 }
@@ -87,17 +84,18 @@ float finiteLightPdf(Light light, vec3 shadingPoint, LightPoint point) {
 /// Density per solid angle with which sampleLight chooses a direction of an infinite light.
 float infiniteLightPdf(Light light, vec3 shadingPoint, LightPoint point) {
     float result = 0.0;
-#define LIGHT(id, isInfinite, people)                                                              \
-    IF_INFINITE(id, isInfinite) result = pdfOf##id##Light(light, shadingPoint, point);
+#define LIGHT(id, sort, people)                                                                    \
+    IF_INFINITE_##sort(id, result = pdfOf##id##Light(light, shadingPoint, point);)
 #include "shared/feature_table.h"
     return result;
 }
 
 /// Radiance of a light that is not infinite from a point of it.
 vec3 finiteLightRadiance(Light light, LightPoint point) {
+    if (isUniformQuadricLight(light))
+        return areaLightRadiance(light, point);
     vec3 result = vec3(0.0);
-#define LIGHT(id, isInfinite, people)                                                              \
-    IF_FINITE(id, isInfinite) result = radianceOf##id##Light(light, point);
+#define LIGHT(id, sort, people) IF_AREA_##sort(id, result = radianceOf##id##Light(light, point);)
 #include "shared/feature_table.h"
     return result;
 }
@@ -105,8 +103,8 @@ vec3 finiteLightRadiance(Light light, LightPoint point) {
 /// Radiance of an infinite light from a direction.
 vec3 infiniteLightRadiance(Light light, LightPoint point) {
     vec3 result = vec3(0.0);
-#define LIGHT(id, isInfinite, people)                                                              \
-    IF_INFINITE(id, isInfinite) result = radianceOf##id##Light(light, point);
+#define LIGHT(id, sort, people)                                                                    \
+    IF_INFINITE_##sort(id, result = radianceOf##id##Light(light, point);)
 #include "shared/feature_table.h"
     return result;
 }
@@ -117,7 +115,11 @@ vec3 lightRadiance(Light light, LightPoint point) {
                                   : finiteLightRadiance(light, point);
 }
 
-#undef IF_FINITE
-#undef IF_INFINITE
+#undef IF_AREA_Area
+#undef IF_AREA_UniformQuadric
+#undef IF_AREA_Infinite
+#undef IF_INFINITE_Area
+#undef IF_INFINITE_UniformQuadric
+#undef IF_INFINITE_Infinite
 
 #endif

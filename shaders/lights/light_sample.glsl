@@ -1,6 +1,7 @@
 // The contract of a kind of light.
 //
-// A file lights/<kind>_light.glsl declares, for light that reaches `shadingPoint`:
+// A file lights/<kind>_light.glsl declares, for light that reaches `shadingPoint` (of a kind of the
+// sort UniformQuadric, only what lights/uniform_quadric_light.glsl says):
 //
 //   LightSample sample<Kind>Light(Light light, vec3 shadingPoint, vec2 u)
 //       Chooses a direction towards the light; each component of u is uniform in [0, 1).

@@ -7,6 +7,13 @@
 #include "core/trigonometry.glsl"
 #include "lights/quadric_light.glsl"
 
+/// With a constant kind, so that code for other quadrics is left out.
+Quadric sphereOf(Light light) {
+    Quadric sphere = quadricOf(light);
+    sphere.kind = kSphere;
+    return sphere;
+}
+
 /// 1 - cos of the half angle that a sphere subtends, from sin^2; without cancellation.
 float oneMinusConeCosine(float sin2ThetaMax) {
     return sin2ThetaMax / (1.0 + sqrt(max(1.0 - sin2ThetaMax, 0.0)));
@@ -31,7 +38,7 @@ float spherePdf(Light light, Quadric sphere, vec3 shadingPoint, LightPoint point
 /// So a shading point on the sphere itself gets no light, because the whole cone is below its
 /// surface.
 LightSample sampleSphereLight(Light light, vec3 shadingPoint, vec2 u) {
-    Quadric sphere = quadricOf(light, kSphere);
+    Quadric sphere = sphereOf(light);
     vec3 toShadingPoint = shadingPoint - sphere.center;
     float sin2ThetaMax = sphereSin2(sphere, shadingPoint);
     bool outside = sin2ThetaMax < 1.0;
@@ -68,9 +75,10 @@ LightSample sampleSphereLight(Light light, vec3 shadingPoint, vec2 u) {
 }
 
 float pdfOfSphereLight(Light light, vec3 shadingPoint, LightPoint point) {
-    return isMetOnFarSide(light, kSphere, shadingPoint, point)
+    Quadric sphere = sphereOf(light);
+    return isMetOnFarSide(sphere, shadingPoint, point)
                ? 0.0
-               : spherePdf(light, quadricOf(light, kSphere), shadingPoint, point);
+               : spherePdf(light, sphere, shadingPoint, point);
 }
 
 vec3 radianceOfSphereLight(Light light, LightPoint point) {

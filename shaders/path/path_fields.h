@@ -1,6 +1,7 @@
 // The state of a path between two of its rays, as shared/declare_structs.h says, but without STRUCT
 // and END. The struct Path (path/path_state.glsl) has these fields, and so has the form in which a
-// kernel keeps a path between dispatches (kernels/parked_task_table.h).
+// kernel keeps a path between dispatches (kernels/parked_task_table.h), which also fills the last
+// row.
 ROW(vec3, rayOrigin, xyz) ///< of the ray to trace next, metres
 FIELD(float, rayTMax, w)
 ROW(vec3, rayDirection, xyz) ///< unit vector
@@ -14,4 +15,3 @@ FIELD(float, etaScale, w)     ///< the factor that undoes the scaling of `throug
 ROW(vec3, arriving, xyz)      ///< of a shadow ray: what it adds if nothing blocks it
 FIELD(uint, rayKind, w)       ///< kPathRay or kShadowRay
 ROW(vec3, nextDirection, xyz) ///< in which the path leaves its vertex after a shadow ray
-FIELD(uint, pad0, w)

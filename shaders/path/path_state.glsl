@@ -55,7 +55,6 @@ Path startPath(SampleId id, Camera camera, uvec2 imageSize) {
     path.etaScale = 1.0;
     path.arriving = vec3(0.0);
     path.nextDirection = vec3(0.0);
-    path.pad0 = 0u;
     return path;
 }
 

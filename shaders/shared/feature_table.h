@@ -4,9 +4,12 @@
 // tests/support/feature_cases.cpp). The feature's number is the line's distance from the first, so
 // there must be no other line between them.
 //
-// LIGHT is a kind of light: identifier, whether it is infinitely far away, and name. Its feature is
-// TriangleLights. From its line also come kLightTriangle (shared/scene_structs.h) and the calls of
-// its functions (lights/light.glsl). These lines follow each other.
+// LIGHT is a kind of light: identifier, sort and name. Its feature is TriangleLights. From its line
+// also come kLightTriangle (shared/scene_structs.h) and the calls of its functions
+// (lights/light.glsl). These lines follow each other. The sorts are
+//   Area            a surface with its own way of sampling,
+//   UniformQuadric  a quadric that is sampled by uniform points on its area,
+//   Infinite        infinitely far away.
 //
 // LOBE is a lobe: identifier, name of its member in Bsdf, and name for people. Its feature is
 // Diffuse. From its line also come kLobeDiffuse (shared/scene_structs.h), its part of a Bsdf and
@@ -20,7 +23,7 @@
 #define FEATURE(id, people)
 #endif
 #ifndef LIGHT
-#define LIGHT(id, isInfinite, people) FEATURE(id##Lights, people)
+#define LIGHT(id, sort, people) FEATURE(id##Lights, people)
 #endif
 #ifndef LOBE
 #define LOBE(id, member, people) FEATURE(id, people)
@@ -36,12 +39,12 @@ FEATURE(Cylinders, "cylinders")
 FEATURE(Cones, "cones")
 FEATURE(Disks, "disks")
 FEATURE(ManyQuadrics, "many quadrics") // too many for rays to wait before quadrics
-LIGHT(Triangle, false, "triangle lights")
-LIGHT(Sphere, false, "sphere lights") // these four are in the order of Quadric::kind
-LIGHT(Cylinder, false, "cylinder lights")
-LIGHT(Cone, false, "cone lights")
-LIGHT(Disk, false, "disk lights")
-LIGHT(Background, true, "a background")
+LIGHT(Triangle, Area, "triangle lights")
+LIGHT(Sphere, Area, "sphere lights") // these four are in the order of Quadric::kind
+LIGHT(Cylinder, UniformQuadric, "cylinder lights")
+LIGHT(Cone, UniformQuadric, "cone lights")
+LIGHT(Disk, UniformQuadric, "disk lights")
+LIGHT(Background, Infinite, "a background")
 FEATURE(HiddenLights, "hidden lights")
 FEATURE(LightAlpha, "lights with alpha")
 LOBE(Diffuse, diffuse, "diffuse")

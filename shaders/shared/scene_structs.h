@@ -42,20 +42,22 @@ CALOTYPE_CONSTANT uint kTextureClamps = 16u;
 CALOTYPE_CONSTANT uint kTextureMirrors = 32u;
 
 // Light::kind, in the order of the features: kLightTriangle, kLightSphere...
-#define LIGHT(id, isInfinite, people)                                                              \
+#define LIGHT(id, sort, people)                                                                    \
     CALOTYPE_CONSTANT uint kLight##id = kFeature##id##Lights - kFeatureTriangleLights;
 #include "shared/feature_table.h"
 
-// A bit for each kind that is infinitely far away.
-#define BEGIN_FEATURES CALOTYPE_CONSTANT uint kInfiniteLightKinds = 0u
-#define LIGHT(id, isInfinite, people) | ((isInfinite ? 1u : 0u) << kLight##id)
+// The sorts of kinds of lights.
+CALOTYPE_CONSTANT uint kSortArea = 0u;
+CALOTYPE_CONSTANT uint kSortUniformQuadric = 1u;
+CALOTYPE_CONSTANT uint kSortInfinite = 2u; ///< found by rays that hit no surface
+
+// The sort of each kind, in two bits.
+#define BEGIN_FEATURES CALOTYPE_CONSTANT uint kSortsOfLights = 0u
+#define LIGHT(id, sort, people) | (kSort##sort << 2u * kLight##id)
 #define END_FEATURES ;
 #include "shared/feature_table.h"
 
-/// Whether lights of that kind are infinitely far away: rays that hit no surface find them.
-CALOTYPE_FUNCTION bool isInfiniteKind(uint kind) {
-    return ((kInfiniteLightKinds >> kind) & 1u) != 0u;
-}
+CALOTYPE_FUNCTION uint sortOfLight(uint kind) { return (kSortsOfLights >> 2u * kind) & 3u; }
 
 // Light::flags.
 CALOTYPE_CONSTANT uint kLightEmitsFromBack = 1u;

@@ -6,9 +6,11 @@ usage or a list that does not fit the code. See README.md.
 """
 
 import argparse
+import concurrent.futures
 import json
 import os
 import pathlib
+import queue
 import re
 import shutil
 import subprocess
@@ -184,9 +186,10 @@ class Planted:
 
 
 class Project:
-    """The copy and its build."""
+    """A copy and its build."""
 
-    def __init__(self, work):
+    def __init__(self, work, build_jobs):
+        self.build_jobs = build_jobs
         work.mkdir(parents=True, exist_ok=True)
         self.source = work / "source"
         self.build_folder = work / "build"
@@ -201,7 +204,8 @@ class Project:
     def build(self, target):
         """The compiler's words where it fails, else None."""
         done = subprocess.run(
-            ["cmake", "--build", self.build_folder, "--target", f"{target}_tests"],
+            ["cmake", "--build", self.build_folder, "--target", f"{target}_tests",
+             "--parallel", str(self.build_jobs)],
             capture_output=True, text=True)
         return done.stdout + done.stderr if done.returncode != 0 else None
 
@@ -272,22 +276,44 @@ def catch(project, mutation):
     return None
 
 
-def run(mutations):
-    started = time.monotonic()
-    project = Project(WORK)
-    if not unmutated_passes(project, mutations):
-        return False
-    print("| # | fault | planted in | caught by |\n|---|---|---|---|", flush=True)
-    caught = 0
-    for mutation in mutations:
+def plant_all(project, waiting, results):
+    """Plants faults until none is waiting, and prints a line of the table for each."""
+    while True:
+        try:
+            mutation = waiting.get_nowait()
+        except queue.Empty:
+            return
         by = catch(project, mutation)
-        caught += by is not None
+        results.append(by is not None)
         print(f"| {mutation['number']} | {mutation['fault']} | `{mutation['file']}` | "
               f"{by or '**nothing**'} |", flush=True)
+
+
+def run(mutations, jobs):
+    """Plants the faults in as many copies of the project at a time as there are jobs."""
+    started = time.monotonic()
+    cores = os.cpu_count()
+    first = Project(WORK / "1", build_jobs=cores)
+    if not unmutated_passes(first, mutations):
+        return False
+    projects = [first] + [Project(WORK / str(number), build_jobs=cores)
+                          for number in range(2, jobs + 1)]
+    for project in projects:
+        for target in dict.fromkeys(mutation["target"] for mutation in mutations):
+            project.build(target)
+        project.build_jobs = max(cores // jobs, 1)
+    print("| # | fault | planted in | caught by |\n|---|---|---|---|", flush=True)
+    waiting = queue.SimpleQueue()
+    for mutation in mutations:
+        waiting.put(mutation)
+    results = []
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        for done in [pool.submit(plant_all, project, waiting, results) for project in projects]:
+            done.result()
     minutes = (time.monotonic() - started) / 60.0
-    print(f"\n{caught} of {len(mutations)} faults caught, in {minutes:.0f} minutes on "
-          f"{os.cpu_count()} cores.")
-    return caught == len(mutations)
+    print(f"\n{sum(results)} of {len(mutations)} faults caught, in {minutes:.0f} minutes on "
+          f"{cores} cores.")
+    return sum(results) == len(mutations)
 
 
 def main():
@@ -296,12 +322,17 @@ def main():
                         help="only check that every fault can be planted and names real tests")
     parser.add_argument("--update", action="store_true",
                         help="only write down the new file of each text that moved")
+    parser.add_argument("--jobs", type=int, default=1, metavar="N",
+                        help="copies of the project to plant faults in at a time; each takes a "
+                             "build of its own (default: 1)")
     parser.add_argument("selector", nargs="*", metavar="NUMBER|TARGET|TEXT",
                         help="faults to plant: by number, by target, or by a part of the entry; "
                              "default: all")
     arguments = parser.parse_args()
     if arguments.update and arguments.selector:
         parser.error("--update is for the whole list; leave out " + " ".join(arguments.selector))
+    if arguments.jobs < 1:
+        parser.error("--jobs must be at least 1")
     mutations = choose(load_mutations(), arguments.selector)
     if not mutations:
         parser.error("no entry of mutations.json has " + " or ".join(arguments.selector))
@@ -311,7 +342,7 @@ def main():
         write_list(mutations)
     if arguments.check or arguments.update:
         return 0
-    return 0 if run(mutations) else 1
+    return 0 if run(mutations, arguments.jobs) else 1
 
 
 if __name__ == "__main__":

@@ -31,7 +31,7 @@ inline FirstHits firstHitsOf(const Scene& scene, const FirstHitWish& wish = {}) 
     settings.crop = wish.crop.value_or(Crop{0, 0, settings.width, settings.height});
     settings.bvh = BvhBuilder::Sah;
     FirstHits result;
-    result.packed = compileScene(scene, settings, {.allUvs = true}).packed;
+    result.packed = compileScene(scene, settings, {.allUvs = true, .onProgress = {}}).packed;
     const SceneBuffers buffers(testDevice(), result.packed);
     FirstHitPass pass(testDevice(), result.packed, buffers,
                       wish.features.value_or(result.packed.features), settings);

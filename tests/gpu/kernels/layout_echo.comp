@@ -4,7 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 
 #include "buffers/packed_scene.glsl"
-#include "kernels/parked_task.h"
+#include "kernels/parked_tasks.glsl"
 #include "shared/layers.h"
 #include "shared/ray_structs.h"
 #include "shared/render_structs.h"
@@ -20,9 +20,6 @@ layout(set = 0, binding = kBindingCounters) readonly buffer CountersBlock {
     RenderCounters counters;
 };
 layout(set = 0, binding = kBindingFirstHits) readonly buffer FirstHits { uint firstHitWords[]; };
-layout(set = 0, binding = kBindingParkedTasks) readonly buffer ParkedTasks {
-    ParkedTask parkedTasks[];
-};
 layout(set = 0, binding = kBindingRays) readonly buffer Rays { ListedRay rays[]; };
 layout(set = 0, binding = kBindingListedHits) readonly buffer ListedHits { ListedHit hits[]; };
 layout(set = 0, binding = kBindingTestInputs) readonly buffer RayListBlock {
@@ -77,7 +74,8 @@ void main() {
     put(counters);
     for (uint i = 0u; i < kFirstHitWords; ++i)
         put(firstHitWords[kFirstHitWords + i]);
-    put(parkedTasks[1]);
+    storeParkedTask(0u, loadParkedTask(1u));
+    put(loadParkedTask(0u));
     put(rays[1]);
     put(hits[1]);
 }
