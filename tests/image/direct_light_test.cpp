@@ -4,6 +4,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "support/agreement.h"
+#include "support/device_tracer.h"
 #include "support/gpu_test.h"
 #include "support/render_scene.h"
 #include "support/scene_builder.h"
@@ -32,24 +34,21 @@ double polygonIrradiance(const std::vector<glm::dvec3>& corners) {
 }
 
 /// Renders a tiny patch of floor about the origin, in which the irradiance hardly changes, and
-/// expects its mean radiance to be albedo * E / pi: within three standard errors over independent
-/// renders, and within half a percent.
+/// expects its mean radiance to be albedo * E / pi: within three standard errors over blocks of
+/// samples, which are independent, and within half a percent.
 void expectFloorRadiance(SceneBuilder& builder, double irradiance) {
+    constexpr uint32_t kSide = 32;
+    constexpr size_t kBlocks = 64;
     const uint32_t floor = builder.material(kAlbedo, 0.0);
     builder.polygon({{-50, 0, 50}, {50, 0, 50}, {50, 0, -50}, {-50, 0, -50}}, floor);
     builder.lookDown(0.05, 1e-4);
     Scene& scene = builder.scene();
-    scene.film = {32, 32};
-    scene.render = {64, 1, 0};
+    scene.render.maxBounces = 1;
+    DeviceTracer device(scene, squareSettings(scene, kSide, 0));
+    const TileMeans rendered = renderTileMeans(device.tracer(), kSide, kSide, kBlocks);
     std::vector<double> means;
-    for (uint32_t seed = 0; seed < 16; ++seed) {
-        scene.render.seed = seed;
-        double sum = 0.0;
-        const Image image = renderScene(scene).image;
-        for (const glm::vec3& pixel : image.pixels)
-            sum += pixel.x;
-        means.push_back(sum / static_cast<double>(image.pixels.size()));
-    }
+    for (size_t block = 0; block < kBlocks; ++block)
+        means.push_back(rendered.whole(block).x);
     const double expected = kAlbedo * irradiance / kPi;
     const Estimate seen = estimate(means);
     EXPECT_NEAR(seen.mean, expected, 3.0 * seen.standardError);

@@ -1,6 +1,7 @@
 // Specialising only removes code: for every feature alone, the kernel made for a scene that needs
 // it and the kernel for everything render the same picture, bit for bit; and without the feature
 // the picture is another.
+#include <map>
 #include <set>
 
 #include "support/feature_cases.h"
@@ -26,12 +27,20 @@ size_t differentPixels(const Image& a, const Image& b) {
 
 class FeatureTest : public GpuTest, public testing::WithParamInterface<FeatureCase> {};
 
+/// The feature's scene by the kernel made for it, rendered once for all tests of a process.
+const RenderedScene& specialisedPicture(const FeatureCase& featureCase, const Scene& scene) {
+    static std::map<uint32_t, RenderedScene> known;
+    const auto at = known.find(featureCase.feature);
+    return at != known.end() ? at->second
+                             : known.emplace(featureCase.feature, renderScene(scene)).first->second;
+}
+
 TEST_P(FeatureTest, SpecialisedKernelEqualsEverythingOn) {
     SceneBuilder builder = litFloor();
     GetParam().change(builder);
-    RenderWish wish;
-    const RenderedScene specialised = renderScene(builder.scene(), wish);
+    const RenderedScene& specialised = specialisedPicture(GetParam(), builder.scene());
     ASSERT_TRUE(specialised.needed.enabled[GetParam().feature]);
+    RenderWish wish;
     wish.features = SceneFeatures::all();
     const RenderedScene everything = renderScene(builder.scene(), wish);
     ASSERT_NE(specialised.needed.enabled, wish.features->enabled);
@@ -45,12 +54,12 @@ TEST_P(FeatureTest, SpecialisedKernelEqualsEverythingOn) {
 TEST_P(FeatureTest, ChangesThePicture) {
     SceneBuilder builder = litFloor();
     GetParam().change(builder);
-    const RenderedScene with = renderScene(builder.scene());
+    const RenderedScene& with = specialisedPicture(GetParam(), builder.scene());
     RenderWish wish;
     if (GetParam().removal) {
         GetParam().removal(builder.scene());
     } else {
-        wish.features = SceneFeatures::all();
+        wish.features = with.needed;
         wish.features->enabled[GetParam().feature] = false;
     }
     const RenderedScene without = renderScene(builder.scene(), wish);

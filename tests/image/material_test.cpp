@@ -11,6 +11,7 @@
 #include "support/oracle_bsdf.h"
 #include "support/render_scene.h"
 #include "support/scene_builder.h"
+#include "support/slow_run.h"
 #include "support/statistics.h"
 #include "support/test_materials.h"
 
@@ -30,12 +31,13 @@ double albedo(const Material& material, const glm::dvec3& wo) {
     return sum * 2.0 * std::numbers::pi / (kSteps * kSteps);
 }
 
-/// A plane through the origin, tilted about y so that parallel rays along -z meet it at an angle of
-/// the given cosine.
-void addTiltedPlane(SceneBuilder& builder, double cosTheta, uint32_t material) {
+/// The strip of a plane through the origin between two heights, tilted about y so that parallel
+/// rays along -z meet it at an angle of the given cosine.
+void addTiltedPlane(SceneBuilder& builder, double cosTheta, uint32_t material, double bottom = -2.0,
+                    double top = 2.0) {
     const glm::dvec3 right(cosTheta, 0.0, -std::sqrt(1.0 - cosTheta * cosTheta));
-    const glm::dvec3 up(0.0, 1.0, 0.0);
-    builder.rectangle(-2.0 * (right + up), 4.0 * right, 4.0 * up, material);
+    builder.rectangle(-2.0 * right + glm::dvec3(0.0, bottom, 0.0), 4.0 * right,
+                      {0.0, top - bottom, 0.0}, material);
 }
 
 enum class Surroundings { EmittingSphere, Background };
@@ -51,40 +53,57 @@ void surround(SceneBuilder& builder, Surroundings surroundings) {
 
 class MaterialTest : public GpuTest {
 protected:
-    void expectAlbedo(const TestMaterial& test, double cosTheta, Surroundings surroundings) {
+    /// One picture of all of them, each a strip of one plane: none lights another.
+    static void expectAlbedos(const std::vector<TestMaterial>& tests, double cosTheta,
+                              Surroundings surroundings) {
+        constexpr uint32_t kColumns = 144;
+        constexpr uint32_t kRows = 16;   ///< that are judged of each strip
+        constexpr uint32_t kBorder = 2;  ///< rows beside them, which a filter mixes
+        constexpr double kHeight = 0.04; ///< of a strip, metres
         SceneBuilder builder;
-        addTiltedPlane(builder, cosTheta, builder.material(test.material));
+        const auto count = static_cast<uint32_t>(tests.size());
+        const double top = 0.5 * kHeight * count;
+        for (uint32_t i = 0; i < count; ++i)
+            addTiltedPlane(builder, cosTheta, builder.material(tests[i].material),
+                           top - (i + 1) * kHeight, top - i * kHeight);
         surround(builder, surroundings);
-        builder.lookAtPlaneZ(0.1);
+        builder.lookAtPlaneZ(2.0 * top);
         Scene& scene = builder.scene();
-        scene.film = {48, 48};
-        scene.render = {64, 1, 0};
-        std::vector<double> pixels;
-        for (const glm::vec3& pixel : renderScene(scene).image.pixels)
-            pixels.push_back(pixel.x);
-        const Estimate seen = estimate(pixels);
-        const double wanted = albedo(test.material, directionAt(cosTheta, 0.0));
-        EXPECT_NEAR(seen.mean, wanted, 4.0 * seen.standardError + 0.002 * wanted)
-            << test.name << ", cosine " << cosTheta;
+        scene.film = {kColumns, (kRows + 2 * kBorder) * count};
+        scene.render = {quickOrFull(16u, 64u), 1, 0};
+        const Image image = renderScene(scene).image;
+        for (uint32_t i = 0; i < count; ++i) {
+            const uint32_t first = (kRows + 2 * kBorder) * i + kBorder;
+            std::vector<double> pixels;
+            for (uint32_t y = first; y < first + kRows; ++y)
+                for (uint32_t x = 0; x < kColumns; ++x)
+                    pixels.push_back(image.at(x, y).x);
+            const Estimate seen = estimate(pixels);
+            const double wanted = albedo(tests[i].material, directionAt(cosTheta, 0.0));
+            EXPECT_NEAR(seen.mean, wanted, 4.0 * seen.standardError + 0.002 * wanted)
+                << tests[i].name << ", cosine " << cosTheta;
+        }
     }
 };
 
 TEST_F(MaterialTest, ShowsItsAlbedoInAnEmittingSphere) {
-    for (const TestMaterial& test : testMaterials()) {
-        if (test.lobeWidth < 0.05) // too narrow for the sum above
-            continue;
-        for (const double cosTheta : {0.95, 0.3})
-            expectAlbedo(test, cosTheta, Surroundings::EmittingSphere);
-    }
+    std::vector<TestMaterial> tests = testMaterials();
+    std::erase_if(tests, [](const TestMaterial& test) {
+        return test.lobeWidth < 0.05; // too narrow for the sum above
+    });
+    for (const double cosTheta : {0.95, 0.3})
+        expectAlbedos(tests, cosTheta, Surroundings::EmittingSphere);
 }
+ALSO_SLOW(MaterialTest, ShowsItsAlbedoInAnEmittingSphere);
 
 TEST_F(MaterialTest, ShowsItsAlbedoUnderABackground) {
-    for (const TestMaterial& test : testMaterials()) {
-        if (test.lobeWidth < 0.3 || test.material.masking == Masking::Smith)
-            continue;
-        expectAlbedo(test, 0.6, Surroundings::Background);
-    }
+    std::vector<TestMaterial> tests = testMaterials();
+    std::erase_if(tests, [](const TestMaterial& test) {
+        return test.lobeWidth < 0.3 || test.material.masking == Masking::Smith;
+    });
+    expectAlbedos(tests, 0.6, Surroundings::Background);
 }
+ALSO_SLOW(MaterialTest, ShowsItsAlbedoUnderABackground);
 
 // Too narrow for the sum: a mirror shows F G1^2 of what is all around, a varnish that and its base.
 TEST_F(MaterialTest, MirrorsShowTheirAlbedo) {

@@ -1,4 +1,5 @@
 // Sobol's points give the picture that independent numbers give, with less noise.
+#include "support/device_tracer.h"
 #include "support/gpu_test.h"
 #include "support/image_means.h"
 #include "support/render_scene.h"
@@ -8,18 +9,22 @@ namespace {
 
 class SamplerTest : public GpuTest {
 protected:
-    /// Pictures of 16 samples, which only differ in their seeds.
+    /// Pictures of 16 samples from random numbers that are independent of each other: a block of
+    /// each replica, which is scrambled on its own, from one kernel for each seed.
     static std::vector<Image> pictures(const Scene& scene, Sampler sampler, uint32_t count) {
         std::vector<Image> images;
-        for (uint32_t seed = 0; seed < count; ++seed) {
-            RenderWish wish;
-            wish.width = 48;
-            wish.height = 48;
-            wish.samplesPerPixel = 16;
-            wish.maxBounces = 3;
-            wish.seed = 100 + seed;
-            wish.sampler = sampler;
-            images.push_back(renderScene(scene, wish).image);
+        for (uint32_t seed = 100; images.size() < count; ++seed) {
+            RenderSettings settings = squareSettings(scene, 48, seed);
+            settings.maxBounces = 3;
+            settings.sampler = sampler;
+            settings.samplesPerPixel = shared::kSamplesPerBlock;
+            DeviceTracer device(scene, settings);
+            for (uint32_t block = 0; block < shared::kReplicas; ++block) {
+                settings.firstSample = block * shared::kSamplesPerBlock;
+                RenderSession session(device.tracer(), settings, device.packed().maxRadiance);
+                session.run({});
+                images.push_back(session.picture());
+            }
         }
         return images;
     }

@@ -9,20 +9,22 @@
 #include "support/device_tracer.h"
 #include "support/gpu_test.h"
 #include "support/render_scene.h"
+#include "support/slow_run.h"
 
 namespace calotype::test {
 namespace {
 
 class TransportTest : public GpuTest {
 protected:
-    static constexpr uint32_t kSide = 32;
     static constexpr size_t kBlocks = 64;
 
+    /// The quick run's pictures have a quarter of the pixels: it sees twice the bias.
     static TileMeans means(const Scene& scene, const TransportSettings& transport, uint32_t seed) {
-        RenderSettings settings = squareSettings(scene, kSide, seed);
+        const uint32_t side = quickOrFull(16u, 32u);
+        RenderSettings settings = squareSettings(scene, side, seed);
         settings.transport = transport;
         DeviceTracer device(scene, settings);
-        return renderTileMeans(device.tracer(), kSide, kSide, kBlocks);
+        return renderTileMeans(device.tracer(), side, side, kBlocks);
     }
 
     /// From other random numbers; normal deviates stay below their limit but once in 10,000 times.
@@ -45,24 +47,25 @@ protected:
     }
 };
 
-constexpr const char* kScenes[] = {"scenes/cornell-box.json", "scenes/dielectric.json",
-                                   "tests/image/scenes/lanterns.json"};
-
 TEST_F(TransportTest, RouletteKeepsThePicture) {
     TransportSettings wholePaths;
     wholePaths.usesRoulette = false;
-    for (const char* path : kScenes) {
+    std::vector<const char*> paths = {"scenes/cornell-box.json", "scenes/dielectric.json"};
+    if (isSlowRun())
+        paths.push_back("tests/image/scenes/lanterns.json");
+    for (const char* path : paths) {
         SCOPED_TRACE(path);
         Scene scene = projectScene(path);
         scene.render.maxBounces = 16;
         expectSamePicture(means(scene, {}, 1), means(scene, wholePaths, 2));
     }
 }
+ALSO_SLOW(TransportTest, RouletteKeepsThePicture);
 
 TEST_F(TransportTest, RouletteShortensPaths) {
     const Scene scene = projectScene("scenes/cornell-box.json");
     RenderWish wish;
-    wish.width = wish.height = kSide;
+    wish.width = wish.height = 32;
     wish.samplesPerPixel = 16;
     wish.maxBounces = 32;
     const RenderTotals with = renderScene(scene, wish).totals;
@@ -75,13 +78,16 @@ TEST_F(TransportTest, RouletteShortensPaths) {
 TEST_F(TransportTest, SamplingLightsAloneKeepsThePicture) {
     TransportSettings lightsOnly;
     lightsOnly.usesMis = false;
-    for (const char* path :
-         {"scenes/cornell-box.json", "scenes/background.json", "scenes/dielectric.json"}) {
+    std::vector<const char*> paths = {"scenes/background.json", "scenes/dielectric.json"};
+    if (isSlowRun())
+        paths.push_back("scenes/cornell-box.json");
+    for (const char* path : paths) {
         SCOPED_TRACE(path);
         const Scene scene = projectScene(path);
         expectSamePicture(means(scene, {}, 3), means(scene, lightsOnly, 4));
     }
 }
+ALSO_SLOW(TransportTest, SamplingLightsAloneKeepsThePicture);
 
 TEST_F(TransportTest, ChoosingLightsAlikeKeepsThePicture) {
     for (const char* path : {"scenes/cornell-box.json", "tests/image/scenes/lanterns.json"}) {
@@ -92,6 +98,7 @@ TEST_F(TransportTest, ChoosingLightsAlikeKeepsThePicture) {
         expectSamePicture(means(scene, {}, 5), means(scene, uniform, 6));
     }
 }
+ALSO_SLOW(TransportTest, ChoosingLightsAlikeKeepsThePicture);
 
 // The reference tracer can sample all lights at each event; the expected picture is the same.
 TEST_F(TransportTest, AskingAllLightsKeepsThePicture) {
@@ -133,6 +140,7 @@ TEST_F(TransportTest, ClampOnlyTakesIndirectLightAway) {
     EXPECT_NEAR(least / brightness(means(scene, {}, 7)), 1.0, 1e-4)
         << "what is left is direct light";
 }
+ALSO_SLOW(TransportTest, ClampOnlyTakesIndirectLightAway);
 
 } // namespace
 } // namespace calotype::test

@@ -90,14 +90,15 @@ glm::dvec3 TileMeans::whole(size_t block) const {
     return sum / static_cast<double>(tiles_);
 }
 
-TileMeans renderTileMeans(BlockTracer& tracer, uint32_t width, uint32_t height, size_t blocks) {
+TileMeans renderTileMeans(BlockTracer& tracer, uint32_t width, uint32_t height, size_t blocks,
+                          size_t first) {
     CALOTYPE_CHECK_EQ(width % kJudgedTile, 0u);
     CALOTYPE_CHECK_EQ(height % kJudgedTile, 0u);
     const uint32_t tilesAcross = width / kJudgedTile;
     TileMeans means(size_t{tilesAcross} * (height / kJudgedTile), blocks);
     constexpr double kShare = 1.0 / (kJudgedTile * kJudgedTile * shared::kSamplesPerBlock);
     for (size_t block = 0; block < blocks; ++block) {
-        tracer.beginBlock(static_cast<uint32_t>(block * shared::kSamplesPerBlock));
+        tracer.beginBlock(static_cast<uint32_t>((first + block) * shared::kSamplesPerBlock));
         renderWholeBlock(tracer);
         const std::span<const glm::vec4> sums = tracer.readBlock();
         for (uint32_t y = 0; y < height; ++y)

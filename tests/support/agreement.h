@@ -25,9 +25,10 @@ private:
     std::vector<glm::dvec3> values_;
 };
 
-/// Renders whole blocks of samples of a picture whose sides are multiples of 8. Fails the test
-/// where a sample is not finite or a path is cut.
-TileMeans renderTileMeans(BlockTracer& tracer, uint32_t width, uint32_t height, size_t blocks);
+/// Renders whole blocks of samples of a picture whose sides are multiples of 8, from the block
+/// `first` on. Fails the test where a sample is not finite or a path is cut.
+TileMeans renderTileMeans(BlockTracer& tracer, uint32_t width, uint32_t height, size_t blocks,
+                          size_t first = 0);
 
 /// How far two renderings of one scene from independent random numbers lie apart. Each z is a
 /// standard normal deviate if they agree.

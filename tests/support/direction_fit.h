@@ -12,6 +12,7 @@ namespace calotype::test {
 struct DirectionFit {
     double integral = 0.0;  ///< of the density over the upper hemisphere
     double accepted = 0.0;  ///< share of the draws that gave a direction
+    double tolerance = 0.0; ///< of that share: four standard errors of one half
     double chiSquare = 0.0; ///< of the directions, over cells of half vectors
     double limit = 0.0;     ///< which the statistic stays below but for once in 30,000 times
 };

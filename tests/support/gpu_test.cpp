@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <optional>
+#include <string_view>
 
 namespace calotype::test {
 namespace {
@@ -25,7 +26,8 @@ class DeviceEnvironment : public testing::Environment {
 
 const Device& testDevice() {
     if (!device) {
-        instance.emplace(true);
+        const char* validation = std::getenv("CALOTYPE_VALIDATION");
+        instance.emplace(!validation || std::string_view(validation) != "0");
         const char* wish = std::getenv("CALOTYPE_DEVICE");
         device.emplace(*instance, wish ? wish : "", "CALOTYPE_DEVICE");
     }

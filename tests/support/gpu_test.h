@@ -15,7 +15,7 @@
 namespace calotype::test {
 
 /// The device that all tests of this process share: chosen as the program would choose it, with the
-/// validation layers on. No device is a failure, not a skip.
+/// validation layers unless CALOTYPE_VALIDATION is 0. No device is a failure, not a skip.
 const Device& testDevice();
 
 /// Base of tests that use the device: fails where the validation layers said anything.
