@@ -9,9 +9,9 @@ readonly skipped=77 # what CTest takes for "skipped"
 
 usage() {
     cat <<'TEXT'
-usage: tests/fuzz/run.sh build | short NAME | long NAME [SECONDS]
+usage: tests/fuzz/run.sh build | short NAME [RUNS] | long NAME [SECONDS]
   build   build the fuzzers into build-fuzz/
-  short   a repeatable run from the seeds alone, of some seconds
+  short   a repeatable run from the seeds alone, of RUNS inputs (default: 10000) in some seconds
   long    a run of SECONDS (default: 3600) that keeps what it learns in build-fuzz/found/NAME/
 NAME is scene, model, texture, picture or film. An input that fails is kept as build-fuzz/NAME-*.
 TEXT
@@ -59,7 +59,7 @@ short)
     found=$(mktemp -d)
     trap 'rm -rf "$found"' EXIT
     # The time only matters on a machine that is too slow for that many runs.
-    fuzz "$2" "$found" -seed=1 -runs=20000 -max_total_time=20
+    fuzz "$2" "$found" -seed=1 -runs="${3:-10000}" -max_total_time=20
     ;;
 long)
     mkdir -p "$folder/found/$2"

@@ -6,6 +6,7 @@
 #include "support/oracle_quadric.h"
 #include "support/oracle_triangle.h"
 #include "support/primitive_scene.h"
+#include "support/slow_run.h"
 #include "support/test_quadrics.h"
 #include "support/test_scenes.h"
 
@@ -149,7 +150,7 @@ std::vector<shared::TestRay> makeRays(uint32_t count, RandomNumbers& random) {
 class TraversalTest : public GpuTest, public testing::WithParamInterface<Crowd> {};
 
 TEST_P(TraversalTest, FindsWhatBruteForceFinds) {
-    constexpr uint32_t kTests = 3'000'000; // of primitives against rays
+    const uint32_t tests = quickOrFull(1'000'000u, 3'000'000u); // of primitives against rays
     RandomNumbers random(41);
     const Scene scene = sceneOf(makeCrowd(GetParam(), random));
     const PackedScene built = packAsProgram(scene);
@@ -158,7 +159,7 @@ TEST_P(TraversalTest, FindsWhatBruteForceFinds) {
     const BruteForce oracle(built.packed);
 
     std::vector<shared::TestRay> rays =
-        makeRays(std::min(20'000u, kTests / GetParam().count), random);
+        makeRays(std::min(20'000u, tests / GetParam().count), random);
     const auto closest = onDevice.traverse(rays);
     const auto closestOfList = traceList(built.packed, rays, RayKind::afterBounces(0));
     uint32_t hits = 0;
@@ -184,15 +185,16 @@ TEST_P(TraversalTest, FindsWhatBruteForceFinds) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, TraversalTest,
-                         testing::Values(Crowd{"One", 1, Arrangement::Scattered},
-                                         Crowd{"Two", 2, Arrangement::Scattered},
-                                         Crowd{"Five", 5, Arrangement::Scattered},
-                                         Crowd{"Hundred", 100, Arrangement::Scattered},
-                                         Crowd{"TwoThousand", 2000, Arrangement::Scattered},
-                                         Crowd{"Clusters", 500, Arrangement::Clustered},
-                                         Crowd{"Coincident", 300, Arrangement::Coincident}),
-                         [](const auto& instance) { return instance.param.name; });
+const Crowd kCrowds[] = {{"One", 1, Arrangement::Scattered},
+                         {"Two", 2, Arrangement::Scattered},
+                         {"Five", 5, Arrangement::Scattered},
+                         {"Hundred", 100, Arrangement::Scattered},
+                         {"TwoThousand", 2000, Arrangement::Scattered},
+                         {"Clusters", 500, Arrangement::Clustered},
+                         {"Coincident", 300, Arrangement::Coincident}};
+const auto nameOfCrowd = [](const auto& instance) { return instance.param.name; };
+INSTANTIATE_TEST_SUITE_P(Of, TraversalTest, testing::ValuesIn(kCrowds), nameOfCrowd);
+INSTANTIATE_TEST_SUITE_P(SlowOf, TraversalTest, testing::ValuesIn(kCrowds), nameOfCrowd);
 
 class TraversalCostTest : public GpuTest {};
 

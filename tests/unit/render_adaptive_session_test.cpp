@@ -12,6 +12,7 @@
 
 #include "film/error_estimate.h"
 #include "math/luminance.h"
+#include "support/slow_run.h"
 
 namespace calotype::test {
 namespace {
@@ -142,6 +143,8 @@ TEST(AdaptiveSessionTest, HasNoBias) {
 // less alike: the spread within the halves does not show that. It is some tenth of the error.
 TEST(AdaptiveSessionTest, StatesItsErrorAlmostWholeWhereLightIsRare) {
     for (const uint32_t samples : {256u, 1024u}) {
+        if (samples > 256 && !isSlowRun())
+            continue;
         constexpr uint32_t kPictures = 150;
         double stated = 0.0;
         double found = 0.0;
@@ -167,6 +170,7 @@ TEST(AdaptiveSessionTest, StatesItsErrorAlmostWholeWhereLightIsRare) {
         EXPECT_NEAR(ratio, 1.08, 0.04);
     }
 }
+ALSO_SLOW_TEST(AdaptiveSessionTest, StatesItsErrorAlmostWholeWhereLightIsRare);
 
 TEST(AdaptiveSessionTest, DoesNotDependOnHowTheWorkIsCutUp) {
     RareTracer whole({1, 2});

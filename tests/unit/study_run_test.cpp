@@ -104,7 +104,7 @@ const StudyObserver kPatient{[] { return false; }, [](const std::string&) {}};
 
 // Through all of it: the errors are those of the noise that went in, and so is the advice.
 TEST(TimedStudyTest, MeasuresWhatIsThere) {
-    const Study study = runStudy(planOf(4.0), kPrepare, kPatient);
+    const Study study = runStudy(planOf(2.0), kPrepare, kPatient);
     ASSERT_EQ(study.ending, StudyEnding::Whole);
     ASSERT_TRUE(study.groundTruth);
     EXPECT_TRUE(study.groundTruth->isTrusted);
@@ -151,12 +151,12 @@ private:
 
 // A machine that gets slow half way through the variants does not make the later ones slow.
 TEST(TimedStudyTest, CorrectsForTheMachinesPace) {
-    StudyPlan plan = planOf(8.0);
+    StudyPlan plan = planOf(4.0);
     plan.usual.width = plan.usual.height = 16;
     plan.usual.crop = {0, 0, 16, 16};
     const auto start = std::chrono::steady_clock::now();
     const std::function<bool()> isSlow = [&] {
-        return std::chrono::steady_clock::now() - start > std::chrono::milliseconds(5600);
+        return std::chrono::steady_clock::now() - start > std::chrono::milliseconds(2800);
     };
     const PrepareTracer prepare = [&](const RenderSettings& settings) {
         const auto tracer = std::make_shared<SleepyTracer>(settings, isSlow);
@@ -193,7 +193,7 @@ TEST(TimedStudyTest, GoesOnWhereAVariantFails) {
             throw GpuError("the device was lost.");
         return kPrepare(settings);
     };
-    const Study study = runStudy(planOf(3.0), prepare, kPatient);
+    const Study study = runStudy(planOf(1.5), prepare, kPatient);
     EXPECT_EQ(study.ending, StudyEnding::Whole);
     ASSERT_EQ(study.failures.size(), 1u);
     EXPECT_EQ(study.failures[0].name, "BVH by median splits");
@@ -209,7 +209,7 @@ TEST(TimedStudyTest, GoesOnWhereAVariantFails) {
             settings, [&prepared, isYardstick] { return isYardstick && prepared >= 5; });
         return PreparedTracer{tracer, tracer.get(), 4.0};
     };
-    const Study lost = runStudy(planOf(3.0), failing, kPatient);
+    const Study lost = runStudy(planOf(1.5), failing, kPatient);
     EXPECT_GE(lost.failures.size(), 8u);
     ASSERT_EQ(lost.measurements.size(), 2u);
     for (const Measurement& measurement : lost.measurements)
@@ -217,22 +217,22 @@ TEST(TimedStudyTest, GoesOnWhereAVariantFails) {
     const PrepareTracer never = [](const RenderSettings&) -> PreparedTracer {
         throw GpuError("the device was lost.");
     };
-    EXPECT_THROW(runStudy(planOf(3.0), never, kPatient), GpuError);
+    EXPECT_THROW(runStudy(planOf(1.5), never, kPatient), GpuError);
 }
 
 // Preparations that take far longer than the budget has for them.
 TEST(TimedStudyTest, EndsWithItsBudget) {
     const PrepareTracer slow = [](const RenderSettings& settings) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(400));
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));
         return kPrepare(settings);
     };
     const auto start = std::chrono::steady_clock::now();
-    const Study study = runStudy(planOf(3.0), slow, kPatient);
+    const Study study = runStudy(planOf(1.5), slow, kPatient);
     const std::chrono::duration<double> age = std::chrono::steady_clock::now() - start;
-    EXPECT_LT(age.count(), 4.5);
+    EXPECT_LT(age.count(), 2.5);
     EXPECT_EQ(study.ending, StudyEnding::OutOfTime);
     EXPECT_GE(study.measurements.size(), 1u);
-    EXPECT_THROW(runStudy(planOf(0.3), slow, kPatient), Error);
+    EXPECT_THROW(runStudy(planOf(0.15), slow, kPatient), Error);
 }
 
 /// Its samples are all black.
@@ -275,7 +275,7 @@ TEST(TimedStudyTest, StopsInAPreparation) {
             throw StudyStopped();
         return kPrepare(settings);
     };
-    const Study study = runStudy(planOf(3.0), prepare, kPatient);
+    const Study study = runStudy(planOf(1.5), prepare, kPatient);
     EXPECT_EQ(study.ending, StudyEnding::Stopped);
     EXPECT_EQ(study.measurements.back().variant.name, "independent samples");
 }
@@ -285,9 +285,9 @@ TEST(TimedStudyTest, StoppedKeepsWhatIsWhole) {
     const auto age = [&] {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     };
-    const StudyObserver observer{[&] { return age() > 2.0; }, [](const std::string&) {}};
-    const Study study = runStudy(planOf(4.0), kPrepare, observer);
-    EXPECT_LT(age(), 3.0);
+    const StudyObserver observer{[&] { return age() > 1.0; }, [](const std::string&) {}};
+    const Study study = runStudy(planOf(2.0), kPrepare, observer);
+    EXPECT_LT(age(), 2.0);
     EXPECT_EQ(study.ending, StudyEnding::Stopped);
     ASSERT_GE(study.measurements.size(), 1u);
     EXPECT_LT(study.measurements.size(), 8u);
