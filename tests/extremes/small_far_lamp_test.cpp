@@ -5,6 +5,7 @@
 #include "extremes/scaled_scene.h"
 #include "support/gpu_test.h"
 #include "support/scene_builder.h"
+#include "support/slow_run.h"
 #include "support/test_scenes.h"
 
 namespace calotype::test {
@@ -57,7 +58,9 @@ class SmallFarLampTest : public GpuTest, public testing::WithParamInterface<Lamp
 using SlowSmallFarLampTest = SmallFarLampTest;
 
 TEST_P(SmallFarLampTest, IsOffByAPercentWhereInfoWarns) {
-    expectJudgement(judge(farLamp(GetParam().shape, kSmallestShare * kDistance), 64, 16), 0.01);
+    expectJudgement(
+        judge(farLamp(GetParam().shape, kSmallestShare * kDistance), quickOrFull(32u, 64u), 16),
+        0.01);
 }
 
 TEST_P(SlowSmallFarLampTest, IsOffByTheInverseOfItsSize) {
@@ -67,6 +70,7 @@ TEST_P(SlowSmallFarLampTest, IsOffByTheInverseOfItsSize) {
 
 const auto nameOfKind = [](const auto& kind) { return std::string(kind.param.name); };
 INSTANTIATE_TEST_SUITE_P(Of, SmallFarLampTest, testing::ValuesIn(kKinds), nameOfKind);
+INSTANTIATE_TEST_SUITE_P(SlowOf, SmallFarLampTest, testing::ValuesIn(kKinds), nameOfKind);
 INSTANTIATE_TEST_SUITE_P(Of, SlowSmallFarLampTest, testing::ValuesIn(kKinds), nameOfKind);
 
 } // namespace
