@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cli/film_cli_test.h"
+#include "support/slow_run.h"
 
 namespace calotype::test {
 namespace {
@@ -66,9 +67,10 @@ private:
 };
 
 // Killed at any moment, of loading, of rendering, of writing, the film goes on to the same bits.
-TEST_F(FilmTest, SurvivesFiftyKills) {
-    constexpr int kKills = 50;
-    const std::vector<std::string> options = {"--spp", "8192", "--size", "64x48"};
+TEST_F(FilmTest, SurvivesKills) {
+    const int wanted = quickOrFull(8, 50);
+    const std::vector<std::string> options = {"--spp", quickOrFull("1536", "8192"), "--size",
+                                              "64x48"};
     const std::string whole = film("whole", options);
     const std::string path = folder_ / "killed.film";
     std::mt19937 random(11);
@@ -76,14 +78,14 @@ TEST_F(FilmTest, SurvivesFiftyKills) {
     int killsAfterProgress = 0;
     uint64_t before = 0;
     bool isDone = false;
-    for (int run = 0; run < 4 * kKills && !(isDone && kills >= kKills); ++run) {
+    for (int run = 0; run < 4 * wanted && !(isDone && kills >= wanted); ++run) {
         if (isDone) { // too soon: once more from the start
             expectSameFilm(path, whole);
             std::filesystem::remove(path);
             before = 0;
         }
         ProgramOptions program;
-        if (kills < kKills)
+        if (kills < wanted)
             program.whileRunning = Killer(path, random);
         std::vector<std::string> arguments = render(options);
         arguments.insert(arguments.end(), {std::filesystem::exists(path) ? "--resume" : "--film",
@@ -101,12 +103,13 @@ TEST_F(FilmTest, SurvivesFiftyKills) {
             before = samples;
         }
     }
-    EXPECT_GE(kills, kKills);
-    EXPECT_GE(killsAfterProgress, kKills / 5);
+    EXPECT_GE(kills, wanted);
+    EXPECT_GE(killsAfterProgress, quickOrFull(1, 10));
     ASSERT_TRUE(isDone);
     expectSameFilm(path, whole);
     RecordProperty("kills_after_progress", killsAfterProgress);
 }
+ALSO_SLOW(FilmTest, SurvivesKills);
 
 } // namespace
 } // namespace calotype::test

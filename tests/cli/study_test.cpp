@@ -5,6 +5,7 @@
 
 #include "cli/cli_test.h"
 #include "support/paths.h"
+#include "support/slow_run.h"
 
 namespace calotype::test {
 namespace {
@@ -25,9 +26,11 @@ protected:
 TEST_F(StudyTest, TimedRunWritesTableAndPlotAndPage) {
     // Its error is spread over all pixels, so that few samples measure it well.
     scene_ = std::string(kProjectFolder) + "/scenes/cornell-box.json";
-    const ProgramResult result = study({"--budget", "20s", "--size", "32x32"});
+    const int budget = quickOrFull(10, 20);
+    const ProgramResult result =
+        study({"--budget", std::to_string(budget) + "s", "--size", quickOrFull("20x20", "32x32")});
     ASSERT_EQ(result.exitCode, 0) << result.errors;
-    EXPECT_LT(result.seconds, 25.0);
+    EXPECT_LT(result.seconds, 1.25 * budget);
     for (const char* line : {"5 % error: ", "2 % error: ", "1 % error: ", "study.html"})
         EXPECT_NE(result.output.find(line), std::string::npos) << result.output;
     const std::string csv = readOutput("study.csv");
@@ -53,18 +56,19 @@ TEST_F(StudyTest, TimedRunWritesTableAndPlotAndPage) {
     ASSERT_FALSE(last[5].empty() || last[6].empty()) << "too slow a machine for so many samples";
     EXPECT_NEAR(std::stod(last[5]) / std::stod(last[6]), 1.0, 0.15) << last[5] << " " << last[6];
 }
+ALSO_SLOW(StudyTest, TimedRunWritesTableAndPlotAndPage);
 
 TEST_F(StudyTest, TimedRunInterruptedKeepsWhatItHas) {
     ProgramOptions options;
     bool isSent = false;
     options.whileRunning = [&](int pid, double age) {
-        if (!isSent && age > 12.0) // of 16 s the ground truth takes 6, and each variant 0.7
+        if (!isSent && age > 6.0) // of 8 s the ground truth takes 3, and each variant 0.35
             isSent = kill(pid, SIGINT) == 0;
     };
     const ProgramResult result =
-        study({"--budget", "16s", "--set", "/camera/position=[0, 1, 3.2]"}, options);
+        study({"--budget", "8s", "--set", "/camera/position=[0, 1, 3.2]"}, options);
     EXPECT_EQ(result.exitCode, 1);
-    EXPECT_LT(result.seconds, 15.0);
+    EXPECT_LT(result.seconds, 7.5);
     EXPECT_NE(result.errors.find("what was measured so far is in"), std::string::npos)
         << result.errors;
     const std::string page = readOutput("study.html");
