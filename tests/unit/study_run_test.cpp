@@ -151,12 +151,12 @@ private:
 
 // A machine that gets slow half way through the variants does not make the later ones slow.
 TEST(TimedStudyTest, CorrectsForTheMachinesPace) {
-    StudyPlan plan = planOf(4.0);
+    StudyPlan plan = planOf(8.0);
     plan.usual.width = plan.usual.height = 16;
     plan.usual.crop = {0, 0, 16, 16};
     const auto start = std::chrono::steady_clock::now();
     const std::function<bool()> isSlow = [&] {
-        return std::chrono::steady_clock::now() - start > std::chrono::milliseconds(2800);
+        return std::chrono::steady_clock::now() - start > std::chrono::milliseconds(5600);
     };
     const PrepareTracer prepare = [&](const RenderSettings& settings) {
         const auto tracer = std::make_shared<SleepyTracer>(settings, isSlow);
