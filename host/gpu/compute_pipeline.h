@@ -2,12 +2,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "gpu/buffer.h"
 #include "gpu/device.h"
+#include "gpu/kernel.h"
 #include "gpu/storage_image.h"
 #include "gpu/vulkan.h"
 
@@ -31,11 +33,12 @@ struct ComputePipelineInfo {
     std::string name;
     std::span<const uint32_t> spirv;
     std::vector<Binding> bindings;     ///< must outlive the pipeline
-    std::vector<vk::Bool32> constants; ///< specialization constants by identifier, all booleans
+    std::vector<vk::Bool32> constants; ///< as in KernelInfo
     uint32_t pushConstantBytes = 0;
 };
 
-/// One kernel with its resources, which are bound permanently.
+/// One kernel with its resources, which are bound permanently. Pipelines of the same code, bindings
+/// and constants share the compiled kernel.
 class ComputePipeline {
 public:
     ComputePipeline(const Device& device, const ComputePipelineInfo& info);
@@ -45,9 +48,7 @@ public:
              std::span<const std::byte> pushConstants = {}) const;
 
 private:
-    vk::raii::DescriptorSetLayout setLayout_ = nullptr;
-    vk::raii::PipelineLayout layout_ = nullptr;
-    vk::raii::Pipeline pipeline_ = nullptr;
+    std::shared_ptr<const Kernel> kernel_;
     vk::raii::DescriptorPool pool_ = nullptr;
     vk::DescriptorSet set_; // freed with its pool
 };

@@ -8,6 +8,7 @@
 
 #include "gpu/device_list.h"
 #include "gpu/instance.h"
+#include "gpu/kernel.h"
 #include "gpu/pipeline_cache.h"
 #include "gpu/vulkan.h"
 
@@ -27,6 +28,7 @@ public:
     const vk::PhysicalDeviceLimits& limits() const { return limits_; }
 
     PipelineCache& pipelineCache() const { return *pipelineCache_; }
+    KernelStore& kernels() const { return *kernels_; }
 
     /// Bytes of the largest heap on the device.
     uint64_t memorySize() const;
@@ -59,6 +61,7 @@ private:
     vk::PhysicalDeviceMemoryProperties memory_;
     vk::raii::Device device_ = nullptr;
     std::unique_ptr<PipelineCache> pipelineCache_;
+    std::unique_ptr<KernelStore> kernels_ = std::make_unique<KernelStore>();
     vk::raii::Queue queue_ = nullptr;
     vk::raii::CommandPool commandPool_ = nullptr;
     vk::raii::CommandBuffer commandBuffer_ = nullptr;
