@@ -25,7 +25,7 @@ class Kernel {
 public:
     Kernel(const Device& device, const KernelInfo& info);
 
-    vk::DescriptorSetLayout setLayout() const { return *setLayout_; }
+    const vk::DescriptorSetLayout& setLayout() const { return *setLayout_; }
     vk::PipelineLayout layout() const { return *layout_; }
     vk::Pipeline pipeline() const { return *pipeline_; }
 
