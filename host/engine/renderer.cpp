@@ -39,7 +39,11 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 const Scene& Renderer::scene() const { return state_->scene; }
 
-RenderSettings Renderer::defaultSettings() const { return calotype::defaultSettings(scene()); }
+RenderSettings Renderer::defaultSettings() const {
+    RenderSettings settings = calotype::defaultSettings(scene());
+    settings.crop = {}; // so that it stays the whole picture if the size is changed
+    return settings;
+}
 
 RenderResult Renderer::render(const RenderSettings& settings, const RenderCallbacks& callbacks) {
     RenderJob job;

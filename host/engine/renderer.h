@@ -37,7 +37,7 @@ struct RenderCallbacks {
 
 /// A rendered picture.
 struct RenderResult {
-    uint32_t width = 0; ///< pixels: that of RenderSettings::crop
+    uint32_t width = 0; ///< pixels: that of RenderSettings::crop, or of the whole picture
     uint32_t height = 0;
     /// 3 * width * height floats: row by row from the top left, red, green and blue of each pixel:
     /// linear radiance with Rec. 709 primaries, W/(m^2 sr). Finite; black if there is no sample.
@@ -73,7 +73,8 @@ public:
 
     const Scene& scene() const;
 
-    /// The whole picture, with the scene's own size, samples, bounces and seed.
+    /// The whole picture, with the scene's own size, samples, bounces and seed. The crop is empty,
+    /// so that the picture is whole also if its size is changed.
     RenderSettings defaultSettings() const;
 
     /// Renders the picture. The same settings give the same pixels, bit for bit on one device,

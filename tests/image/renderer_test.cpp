@@ -66,6 +66,20 @@ TEST_F(RendererTest, ReadsPixelsOfASceneMadeInMemory) {
 }
 
 // Rows run from the top, and the samples are those of the sessions below.
+TEST_F(RendererTest, RendersTheWholePictureInAnySize) {
+    Renderer renderer(brightWall(), device_);
+    RenderSettings settings = renderer.defaultSettings();
+    settings.width = 40;
+    settings.height = 24;
+    settings.samplesPerPixel = 1;
+    const RenderResult result = renderer.render(settings);
+    EXPECT_EQ(result.width, 40u);
+    EXPECT_EQ(result.height, 24u);
+    EXPECT_EQ(result.pixels.size(), 3u * 40u * 24u);
+    settings.crop = {0, 0, 0, 8}; // neither a part nor all of it
+    EXPECT_THROW(renderer.render(settings), SettingError);
+}
+
 TEST_F(RendererTest, GivesThePictureOfASession) {
     const Scene scene = projectScene("scenes/cornell-box.json");
     RenderWish wish;
