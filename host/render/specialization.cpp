@@ -7,19 +7,15 @@ namespace calotype {
 std::vector<uint32_t> specialization(const Device& device, const SceneFeatures& features,
                                      const std::optional<KernelTuning>& tuning, Sampler sampler,
                                      const TransportSettings& transport) {
-    const KernelTuning tuned = tuning.value_or(tuningFor(device.info()));
+    const DeviceInfo& info = device.info();
+    const KernelTuning tuned = tuning.value_or(tuningFor(info));
     std::vector<uint32_t> constants(features.enabled.begin(), features.enabled.end());
     constants.resize(shared::kConstantCount);
-    constants[shared::kConstantSubgroupSize] = device.info().subgroupSize;
-    constants[shared::kConstantNodeEighths] = tuned.nodeEighths;
-    constants[shared::kConstantPrimitiveEighths] = tuned.primitiveEighths;
-    constants[shared::kConstantRayEighths] = tuned.rayEighths;
-    constants[shared::kConstantEventEighths] = tuned.eventEighths;
-    constants[shared::kConstantSharesStack] = tuned.sharesStack ? 1 : 0;
-    constants[shared::kConstantSobol] = sampler == Sampler::Sobol ? 1 : 0;
-    constants[shared::kConstantMis] = transport.usesMis ? 1 : 0;
-    constants[shared::kConstantRoulette] = transport.usesRoulette ? 1 : 0;
-    constants[shared::kConstantClampsIndirect] = transport.clampsIndirect() ? 1 : 0;
+    // The last column of the table uses these names: info, tuned, sampler, transport.
+#define BEGIN_SETTINGS
+#define SETTING(id, type, name, value, source) constants[shared::kConstant##id] = uint32_t{source};
+#define END_SETTINGS
+#include "shared/setting_table.h"
     return constants;
 }
 

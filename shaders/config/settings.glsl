@@ -6,7 +6,8 @@
 #include "shared/specialization.h"
 
 #define BEGIN_SETTINGS
-#define SETTING(id, type, name, value) layout(constant_id = kConstant##id) const type name = value;
+#define SETTING(id, type, name, value, source)                                                     \
+    layout(constant_id = kConstant##id) const type name = value;
 #define END_SETTINGS
 #include "shared/setting_table.h"
 

@@ -1,17 +1,18 @@
 // Specialization constants beside the features. Each line is one: identifier, type, name in GLSL,
-// default. Each line defines kConstantSobol (shared/specialization.h) and the constant itself
-// (config/settings.glsl). They are numbered by lines, like the features.
+// default, its value on the host. Each line defines kConstantSobol (shared/specialization.h), the
+// constant itself (config/settings.glsl), and what the host sets it to (render/specialization.cpp,
+// which says what names the last column may use). They are numbered by lines, like the features.
 BEGIN_SETTINGS
-SETTING(SubgroupSize, uint, kSubgroupSize, 1u) // of a workgroup, which is one subgroup
-SETTING(NodeEighths, uint, kNodeEighths, 5u)   // these five adapt the kernel to a device
-SETTING(PrimitiveEighths, uint, kPrimitiveEighths, 3u)
-SETTING(RayEighths, uint, kRayEighths, 7u)
-SETTING(EventEighths, uint, kEventEighths, 6u)
-SETTING(SharesStack, bool, sharesStack, false)
-SETTING(Sobol, bool, usesSobol, false) // random numbers are Sobol's
-SETTING(Mis, bool, usesMis, true)      // these three: how paths find light
-SETTING(Roulette, bool, usesRoulette, true)
-SETTING(ClampsIndirect, bool, clampsIndirect, true)
+SETTING(SubgroupSize, uint, kSubgroupSize, 1u, info.subgroupSize) // of a workgroup, which is one
+SETTING(NodeEighths, uint, kNodeEighths, 5u, tuned.nodeEighths)   // these five: for the device
+SETTING(PrimitiveEighths, uint, kPrimitiveEighths, 3u, tuned.primitiveEighths)
+SETTING(RayEighths, uint, kRayEighths, 7u, tuned.rayEighths)
+SETTING(EventEighths, uint, kEventEighths, 6u, tuned.eventEighths)
+SETTING(SharesStack, bool, sharesStack, false, tuned.sharesStack)
+SETTING(Sobol, bool, usesSobol, false, sampler == Sampler::Sobol) // random numbers are Sobol's
+SETTING(Mis, bool, usesMis, true, transport.usesMis) // these three: how paths find light
+SETTING(Roulette, bool, usesRoulette, true, transport.usesRoulette)
+SETTING(ClampsIndirect, bool, clampsIndirect, true, transport.clampsIndirect())
 END_SETTINGS
 #undef BEGIN_SETTINGS
 #undef SETTING

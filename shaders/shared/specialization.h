@@ -12,7 +12,7 @@ CALOTYPE_BEGIN_SHARED
 #include "shared/feature_table.h"
 
 #define BEGIN_SETTINGS CALOTYPE_CONSTANT uint kSettingsBegin = __LINE__ + 1 - kFeatureCount;
-#define SETTING(id, type, name, value)                                                             \
+#define SETTING(id, type, name, value, source)                                                     \
     CALOTYPE_CONSTANT uint kConstant##id = __LINE__ - kSettingsBegin;
 #define END_SETTINGS CALOTYPE_CONSTANT uint kConstantCount = __LINE__ - kSettingsBegin;
 #include "shared/setting_table.h"
@@ -24,7 +24,7 @@ CALOTYPE_BEGIN_SHARED
 #define END_FEATURES );
 #include "shared/feature_table.h"
 #define BEGIN_SETTINGS static_assert(kConstantCount == kFeatureCount
-#define SETTING(id, type, name, value) +1
+#define SETTING(id, type, name, value, source) +1
 #define END_SETTINGS );
 #include "shared/setting_table.h"
 #endif
