@@ -1,32 +1,19 @@
 #include "check/black_picture.h"
 
-#include <cstddef>
-#include <vector>
+#include <algorithm>
 
-#include "scene/used_materials.h"
+#include "check/emitters.h"
 
 namespace calotype {
-namespace {
-
-bool hasEmission(const Scene& scene) {
-    const std::vector<bool> used = usedMaterials(scene);
-    for (size_t i = 0; i < used.size(); ++i)
-        if (used[i] && scene.materials[i].emission != glm::dvec3(0.0))
-            return true;
-    return false;
-}
-
-} // namespace
 
 void warnOfBlackPicture(const Scene& scene, Warnings& warnings) {
-    if (scene.background != glm::dvec3(0.0))
+    const auto shines = [](const Emitter& emitter) { return emitter.brightest > 0.0; };
+    if (std::ranges::any_of(emittersOf(scene), shines))
         return;
-    if (scene.shapes.empty()) {
-        warnings.add(scene.place,
-                     "there are no shapes and no lights, so the picture will be black");
-    } else if (!hasEmission(scene)) {
-        warnings.add(scene.place, "nothing emits light, so the picture will be black");
-    }
+    warnings.add(scene.place,
+                 scene.shapes.empty()
+                     ? "there are no shapes and no lights, so the picture will be black"
+                     : "nothing emits light, so the picture will be black");
 }
 
 } // namespace calotype
