@@ -6,15 +6,23 @@
 #include "engine/devices.h"
 #include "image/image.h"
 #include "settings/limits.h"
+#include "settings/settings_table.h"
 #include "shared/limits.h"
 
 namespace calotype {
 namespace {
 
-void requireWithin(const char* setting, uint64_t value, uint64_t least, uint64_t most) {
-    if (value < least || value > most)
-        throw SettingError(setting, "is " + std::to_string(value) + ", and not from " +
-                                        std::to_string(least) + " to " + std::to_string(most));
+void requireSide(uint32_t side) {
+    if (side < 1 || side > kLargestPictureSide)
+        throw SettingError("size", "is " + std::to_string(side) + ", and not from 1 to " +
+                                       std::to_string(kLargestPictureSide));
+}
+
+/// What the rows of the table say themselves.
+void requireWhatRowsSay(const RenderSettings& settings) {
+    for (const Setting& row : settingsTable())
+        if (const std::string fault = row.fault ? row.fault(settings) : ""; !fault.empty())
+            throw SettingError(row.name, fault);
 }
 
 void requireCropInside(const RenderSettings& settings) {
@@ -53,11 +61,10 @@ void throwSamplesOfAdaptive() {
 }
 
 void requireRenderable(const RenderSettings& settings, const DeviceOptions& device) {
-    requireWithin("size", settings.width, 1, kLargestPictureSide);
-    requireWithin("size", settings.height, 1, kLargestPictureSide);
+    requireSide(settings.width);
+    requireSide(settings.height);
     requireCropInside(settings);
-    requireWithin("spp", settings.samplesPerPixel, 1, kMostSamplesPerPixel);
-    requireWithin("max_bounces", settings.maxBounces, 0, kMostBounces);
+    requireWhatRowsSay(settings);
     if (settings.firstSample % shared::kSamplesPerBlock != 0 ||
         settings.firstSample > kMostSamplesPerPixel - settings.samplesPerPixel)
         throw SettingError("samples", "begin at no multiple of " +

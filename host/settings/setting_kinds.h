@@ -47,6 +47,13 @@ Setting wholeNumber(Setting row, uint32_t least, uint32_t most, Field field) {
     row.value = [=](const RenderSettings& settings) {
         return nlohmann::ordered_json(field(settings));
     };
+    row.fault = [=](const RenderSettings& settings) -> std::string {
+        const uint32_t number = field(settings);
+        if (number >= least && number <= most)
+            return "";
+        return "is " + std::to_string(number) + ", and not from " + std::to_string(least) + " to " +
+               std::to_string(most);
+    };
     return row;
 }
 

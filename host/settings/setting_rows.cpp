@@ -156,7 +156,6 @@ void addSampling(std::vector<Setting>& rows) {
     rows.push_back(
         flag({.name = "adaptive",
               .help = "Give more samples to pixels of more error; --spp is the mean then",
-              .expected = {},
               .group = SettingGroup::Sampling},
              [](auto& settings) -> auto& { return settings.isAdaptive; }));
     static constexpr Named<Sampler> kSamplers[] = {named(Sampler::Independent),
@@ -188,7 +187,6 @@ void addSampling(std::vector<Setting>& rows) {
         kBuilders, [](auto& settings) -> auto& { return settings.bvh; }));
     rows.push_back(flag({.name = "everything",
                          .help = "Compile the whole kernel, whatever part of it the scene needs",
-                         .expected = {},
                          .group = SettingGroup::Sampling,
                          .commands = kBenchCommand},
                         [](auto& settings) -> auto& { return settings.compilesEverything; }));

@@ -29,10 +29,10 @@ enum SettingCommand : uint32_t {
 /// One row of the table of settings. Command line, help, film labels, metadata, statistics, study
 /// and docs use the rows. To add a setting: a field of RenderSettings, a row, and its use.
 struct Setting {
-    std::string name;     ///< "max_bounces", the name in films and statistics
-    std::string type;     ///< of the value, for help: "on|off"; empty for a switch without a value
-    std::string help;     ///< what it does, and its default
-    std::string expected; ///< what a value must be, for messages: "'7' is not ..."
+    std::string name = {}; ///< "max_bounces", the name in films and statistics
+    std::string type = {}; ///< of the value, for help: "on|off"; empty for a switch without a value
+    std::string help = {}; ///< what it does, and its default
+    std::string expected = {}; ///< what a value must be, for messages: "'7' is not ..."
     SettingGroup group = SettingGroup::Light;
     uint32_t commands = kRenderCommand; ///< SettingCommand
     /// Whether samples depend on it: then films with different values cannot be joined.
@@ -41,11 +41,14 @@ struct Setting {
     bool isOfScene = false;
 
     /// Sets it from a text. False if the text is not `expected`.
-    std::function<bool(std::string_view text, RenderSettings&)> read;
+    std::function<bool(std::string_view text, RenderSettings&)> read = {};
     /// The text for `read`, with no more digits than needed.
-    std::function<std::string(const RenderSettings&)> print;
+    std::function<std::string(const RenderSettings&)> print = {};
     /// For statistics: a number, a switch, a list, or null if there is none.
-    std::function<nlohmann::ordered_json(const RenderSettings&)> value;
+    std::function<nlohmann::ordered_json(const RenderSettings&)> value = {};
+    /// What is wrong with a value that a program set: "is 0, and not from 1 to 9"; empty if
+    /// nothing. Without this function, host/engine/scene_settings.cpp checks what must be checked.
+    std::function<std::string(const RenderSettings&)> fault = {};
 
     /// "--max-bounces".
     std::string option() const;
