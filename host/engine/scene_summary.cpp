@@ -25,11 +25,9 @@ void addTree(SceneSummary& summary, const CompiledScene& compiled) {
 }
 
 void addMemory(SceneSummary& summary, const GpuScene& packed) {
-    const auto bytesOf = [](const auto& array) { return array.size() * sizeof(array[0]); };
-    summary.textureBytes = bytesOf(packed.texelRows);
+    summary.textureBytes = packed.texelRows.size() * sizeof(packed.texelRows[0]);
     summary.sceneBytes = packed.bytes();
-    summary.largestBytes =
-        std::max({bytesOf(packed.nodes), bytesOf(packed.triangles), bytesOf(packed.texelRows)});
+    summary.largestBytes = packed.largestBytes();
 }
 
 } // namespace

@@ -266,14 +266,12 @@ private:
             if (array.empty())
                 array.emplace_back();
         };
-        fill(packed_.triangles);
-        fill(packed_.triangleNormals);
-        fill(packed_.triangleUvs);
-        fill(packed_.quadrics);
-        fill(packed_.materials);
-        fill(packed_.textures);
-        fill(packed_.texelRows);
-        fill(packed_.lights);
+#define BEGIN_BINDINGS
+#define SCENE_ARRAY(id, type, member, people) SCENE_ROWS(id, shared::type, member, people)
+#define SCENE_ROWS(id, type, member, people) fill(packed_.member);
+#define BINDING(id)
+#define END_BINDINGS
+#include "shared/binding_table.h"
     }
 
     void enable(uint32_t feature, bool needed) {
@@ -306,8 +304,19 @@ size_t bytesOf(const std::vector<T>& array) {
 size_t GpuScene::bytes() const {
     size_t bytes = sizeof(camera);
 #define BEGIN_BINDINGS
-#define SCENE_ARRAY(id, type, member, people) SCENE_ROWS(id, member, people)
-#define SCENE_ROWS(id, member, people) bytes += bytesOf(member);
+#define SCENE_ARRAY(id, type, member, people) SCENE_ROWS(id, shared::type, member, people)
+#define SCENE_ROWS(id, type, member, people) bytes += bytesOf(member);
+#define BINDING(id)
+#define END_BINDINGS
+#include "shared/binding_table.h"
+    return bytes;
+}
+
+size_t GpuScene::largestBytes() const {
+    size_t bytes = 0;
+#define BEGIN_BINDINGS
+#define SCENE_ARRAY(id, type, member, people) SCENE_ROWS(id, shared::type, member, people)
+#define SCENE_ROWS(id, type, member, people) bytes = std::max(bytes, bytesOf(member));
 #define BINDING(id)
 #define END_BINDINGS
 #include "shared/binding_table.h"

@@ -15,17 +15,15 @@ namespace calotype {
 
 /// A scene in the form that the kernels read, relative to `origin`. No array is empty.
 struct GpuScene {
-    std::vector<shared::BvhNode> nodes;
-    std::vector<shared::Triangle> triangles;
-    std::vector<shared::TriangleNormals>
-        triangleNormals;                          ///< one per triangle, or a single unused one
-    std::vector<shared::TriangleUvs> triangleUvs; ///< likewise
-    std::vector<shared::Quadric> quadrics;
-    std::vector<shared::Material> materials; ///< unused materials are left blank
-    std::vector<shared::Texture> textures;
-    std::vector<glm::uvec4> texelRows;
-    std::vector<shared::Light> lights;
-    std::vector<float> filterQuantiles;
+    // The arrays of shared/binding_table.h: `nodes`, `triangles`, `triangleNormals`, ... There are
+    // as many normals and texture coordinates as triangles, or a single unused one. Unused
+    // materials are left blank.
+#define BEGIN_BINDINGS
+#define SCENE_ARRAY(id, type, member, people) SCENE_ROWS(id, shared::type, member, people)
+#define SCENE_ROWS(id, type, member, people) std::vector<type> member;
+#define BINDING(id)
+#define END_BINDINGS
+#include "shared/binding_table.h"
     uint32_t lightCount = 0;                ///< if 0, `lights` holds one unused light
     uint32_t infiniteLight = shared::kNone; ///< index of the light of rays that hit no surface
     size_t primitiveCount = 0;
@@ -36,6 +34,9 @@ struct GpuScene {
 
     /// Bytes on the device.
     size_t bytes() const;
+
+    /// Bytes of the largest array.
+    size_t largestBytes() const;
 };
 
 /// What to pack in addition to what the scene needs.

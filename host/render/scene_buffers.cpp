@@ -11,8 +11,8 @@ SceneBuffers::SceneBuffers(const Device& device, const GpuScene& scene) {
         buffers_.push_back({binding, TexelBuffer(device, std::as_bytes(std::span(array)), name)});
     };
 #define BEGIN_BINDINGS
-#define SCENE_ARRAY(id, type, member, people) SCENE_ROWS(id, member, people)
-#define SCENE_ROWS(id, member, people) upload(shared::kBinding##id, scene.member, people);
+#define SCENE_ARRAY(id, type, member, people) SCENE_ROWS(id, shared::type, member, people)
+#define SCENE_ROWS(id, type, member, people) upload(shared::kBinding##id, scene.member, people);
 #define BINDING(id)
 #define END_BINDINGS
 #include "shared/binding_table.h"

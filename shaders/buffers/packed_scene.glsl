@@ -32,9 +32,9 @@
 // The buffers, rowsOfX, and loadX(index) of the structs in them.
 #define BEGIN_BINDINGS
 #define SCENE_ARRAY(id, type, member, people)                                                      \
-    SCENE_ROWS(id, member, people)                                                                 \
+    SCENE_ROWS(id, type, member, people)                                                           \
     type load##type(uint index) { return read##type(rowsOf##id, int(kRowsOf##type * index)); }
-#define SCENE_ROWS(id, member, people)                                                             \
+#define SCENE_ROWS(id, type, member, people)                                                       \
     layout(set = 0, binding = kBinding##id) uniform utextureBuffer rowsOf##id;
 #define BINDING(id)
 #define END_BINDINGS

@@ -3,9 +3,10 @@
 //
 // The bindings of the packed scene are texel buffers of 16-byte rows (the fastest fetch on
 // llvmpipe, measured). SCENE_ARRAY is an array of structs: identifier, struct, member of GpuScene,
-// display name. Its line also defines the buffer and the function loadX of struct X
-// (buffers/packed_scene.glsl), the upload (host/render/scene_buffers.cpp) and a test
-// (tests/gpu/layout_test.cpp). SCENE_ROWS is an array of rows without a struct.
+// display name. Its line also defines that member (host/pack/gpu_scene.h), the buffer and the
+// function loadX of struct X (buffers/packed_scene.glsl), the upload
+// (host/render/scene_buffers.cpp) and a test (tests/gpu/layout_test.cpp). SCENE_ROWS is an array of
+// rows without a struct; its second column is the C++ type of an element.
 BEGIN_BINDINGS
 SCENE_ARRAY(Nodes, BvhNode, nodes, "BVH nodes")
 SCENE_ARRAY(Triangles, Triangle, triangles, "triangles")
@@ -15,8 +16,8 @@ SCENE_ARRAY(Quadrics, Quadric, quadrics, "quadrics")
 SCENE_ARRAY(Materials, Material, materials, "materials")
 SCENE_ARRAY(Textures, Texture, textures, "textures")
 SCENE_ARRAY(Lights, Light, lights, "lights")
-SCENE_ROWS(Texels, texelRows, "texels")
-SCENE_ROWS(Filter, filterQuantiles, "film filter")
+SCENE_ROWS(Texels, glm::uvec4, texelRows, "texels")
+SCENE_ROWS(Filter, float, filterQuantiles, "film filter")
 BINDING(Camera)      // uniform buffer
 BINDING(Block)       // storage image
 BINDING(Counters)    // storage buffer

@@ -8,7 +8,7 @@ CALOTYPE_BEGIN_SHARED
 
 #define BEGIN_BINDINGS CALOTYPE_CONSTANT uint kBindingsBegin = __LINE__ + 1;
 #define SCENE_ARRAY(id, type, member, people) BINDING(id)
-#define SCENE_ROWS(id, member, people) BINDING(id)
+#define SCENE_ROWS(id, type, member, people) BINDING(id)
 #define BINDING(id) CALOTYPE_CONSTANT uint kBinding##id = __LINE__ - kBindingsBegin;
 #define END_BINDINGS CALOTYPE_CONSTANT uint kBindingCount = __LINE__ - kBindingsBegin;
 #include "shared/binding_table.h"
@@ -17,7 +17,7 @@ CALOTYPE_BEGIN_SHARED
 #ifdef __cplusplus
 #define BEGIN_BINDINGS static_assert(kBindingCount == 0
 #define SCENE_ARRAY(id, type, member, people) BINDING(id)
-#define SCENE_ROWS(id, member, people) BINDING(id)
+#define SCENE_ROWS(id, type, member, people) BINDING(id)
 #define BINDING(id) +1
 #define END_BINDINGS );
 #include "shared/binding_table.h"

@@ -46,7 +46,7 @@ TEST_F(LayoutTest, IsTheSameInHostAndKernel) {
     GpuScene scene;
 #define BEGIN_BINDINGS
 #define SCENE_ARRAY(id, type, member, people) scene.member = {{}, distinct.make<shared::type>()};
-#define SCENE_ROWS(id, member, people)
+#define SCENE_ROWS(id, type, member, people)
 #define BINDING(id)
 #define END_BINDINGS
 #include "shared/binding_table.h"

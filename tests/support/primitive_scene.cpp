@@ -21,8 +21,8 @@ void fillIfEmpty(std::vector<T>& array) {
 /// Every array of a packed scene holds at least one element.
 GpuScene complete(GpuScene scene) {
 #define BEGIN_BINDINGS
-#define SCENE_ARRAY(id, type, member, people) SCENE_ROWS(id, member, people)
-#define SCENE_ROWS(id, member, people) fillIfEmpty(scene.member);
+#define SCENE_ARRAY(id, type, member, people) SCENE_ROWS(id, shared::type, member, people)
+#define SCENE_ROWS(id, type, member, people) fillIfEmpty(scene.member);
 #define BINDING(id)
 #define END_BINDINGS
 #include "shared/binding_table.h"

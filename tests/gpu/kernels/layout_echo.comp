@@ -61,7 +61,7 @@ void put(vec3 v) {
 void main() {
 #define BEGIN_BINDINGS
 #define SCENE_ARRAY(id, type, member, people) put(load##type(1u));
-#define SCENE_ROWS(id, member, people)
+#define SCENE_ROWS(id, type, member, people)
 #define BINDING(id)
 #define END_BINDINGS
 #include "shared/binding_table.h"
