@@ -1,4 +1,4 @@
-// From the unit square to disks, triangles, hemispheres and cones of directions.
+// From the unit square to disks, triangles, spheres, hemispheres and cones of directions.
 #ifndef CALOTYPE_CORE_WARP_GLSL
 #define CALOTYPE_CORE_WARP_GLSL
 
@@ -16,6 +16,14 @@ vec2 warpToDisk(vec2 u) {
 vec2 warpToTriangle(vec2 u) {
     float root = sqrt(u.x);
     return vec2(root * (1.0 - u.y), root * u.y);
+}
+
+/// Uniform on the unit sphere. Density 1 / (4 pi).
+vec3 warpToSphere(vec2 u) {
+    float z = 1.0 - 2.0 * u.x;
+    float sinTheta = 2.0 * sqrt(u.x * (1.0 - u.x));
+    vec2 sinCosPhi = sinCosTwoPi(u.y);
+    return vec3(sinTheta * sinCosPhi.y, sinTheta * sinCosPhi.x, z);
 }
 
 /// Cosine-weighted about +z, by Malley's method (docs/models.md, "Lambert"). z > 0 for every u in

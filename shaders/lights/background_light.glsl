@@ -4,7 +4,7 @@
 #define CALOTYPE_LIGHTS_BACKGROUND_LIGHT_GLSL
 
 #include "core/constants.glsl"
-#include "core/trigonometry.glsl"
+#include "core/warp.glsl"
 #include "lights/light_sample.glsl"
 #include "shared/scene_structs.h"
 
@@ -13,11 +13,7 @@ float pdfOfBackgroundLight(Light light, vec3 shadingPoint, LightPoint point) {
 }
 
 LightSample sampleBackgroundLight(Light light, vec3 shadingPoint, vec2 u) {
-    float z = 1.0 - 2.0 * u.x;
-    float sinTheta = 2.0 * sqrt(u.x * (1.0 - u.x));
-    vec2 sinCosPhi = sinCosTwoPi(u.y);
-    vec3 wi = vec3(sinTheta * sinCosPhi.y, sinTheta * sinCosPhi.x, z);
-    LightPoint point = pointAtInfinity(wi);
+    LightPoint point = pointAtInfinity(warpToSphere(u));
     return LightSample(point, pdfOfBackgroundLight(light, shadingPoint, point));
 }
 
