@@ -7,6 +7,7 @@
 
 #include "base/names.h"
 #include "base/read_file.h"
+#include "read/mesh_formats.h"
 #include "scene/material_textures.h"
 
 namespace calotype {
@@ -37,7 +38,7 @@ std::shared_ptr<const ObjFile> readObj(const std::string& path, const std::strin
         context.progress(path, 0.0);
         const std::string text = readFile(path, where);
         context.hash.add(text);
-        cached = std::make_shared<ObjFile>(parseObj(text, path));
+        cached = std::make_shared<ObjFile>(meshFormatOf(path).parse(text, path));
         context.progress(path, 0.7);
         if (cached->crossingPolygons > 0) {
             context.warn(path, "polygons that cross themselves or are far from flat, cut into "

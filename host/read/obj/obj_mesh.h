@@ -16,8 +16,9 @@
 
 namespace calotype {
 
-/// The OBJ file at `path`, from `cache` if it was read before. Throws SceneError at `where` if it
-/// cannot be read. Warns of polygons that cannot be triangulated exactly.
+/// The OBJ file at `path`, or a file of another format (read/mesh_formats.h) in this form, from
+/// `cache` if it was read before. Throws SceneError at `where` if it cannot be read. Warns of
+/// polygons that cannot be triangulated exactly.
 std::shared_ptr<const ObjFile> readObj(const std::string& path, const std::string& where,
                                        ObjCache& cache, ReadContext& context);
 
