@@ -4,7 +4,10 @@
 // sort UniformQuadric, only what lights/uniform_quadric_light.glsl says):
 //
 //   LightSample sample<Kind>Light(Light light, vec3 shadingPoint, vec2 u)
-//       Chooses a direction towards the light; each component of u is uniform in [0, 1).
+//       Chooses a direction towards the light; each component of u is uniform in [0, 1). u.y is a
+//       multiple of 2^-24. u.x need not be one: the choice of the light made it (chooseLight). The
+//       function has no loop, since only loops that count their passes (kernels/lane_rays.glsl) may
+//       take many: llvmpipe ends the loops of a kernel after 65,535 of them.
 //   float pdfOf<Kind>Light(Light light, vec3 shadingPoint, LightPoint point)
 //       The density, per solid angle at `shadingPoint`, with which that function chooses `point`.
 //       A ray found `point`.
