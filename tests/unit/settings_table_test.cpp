@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "settings/limits.h"
 #include "settings/settings_table.h"
 
 namespace calotype::test {
@@ -78,6 +79,21 @@ TEST(SettingsTableTest, RefusesWhatIsNotExpected) {
                 EXPECT_NE(error.problem().find("'" + text + "' is not "), std::string::npos);
             }
         }
+}
+
+TEST(SettingsTableTest, RowsOfWholeNumbersCheckWhatProgramsSet) {
+    const auto faultOf = [](const char* name, uint32_t samples, uint32_t bounces) {
+        RenderSettings settings;
+        settings.samplesPerPixel = samples;
+        settings.maxBounces = bounces;
+        return findSetting(name)->fault(settings);
+    };
+    for (const uint32_t samples : {1u, kMostSamplesPerPixel})
+        EXPECT_EQ(faultOf("spp", samples, 0), "");
+    EXPECT_EQ(faultOf("spp", 0, 0), "is 0, and not from 1 to 67108864");
+    EXPECT_EQ(faultOf("spp", 67108865, 0), "is 67108865, and not from 1 to 67108864");
+    EXPECT_EQ(faultOf("max_bounces", 1, 0), "");
+    EXPECT_EQ(faultOf("max_bounces", 1, 1048577), "is 1048577, and not from 0 to 1048576");
 }
 
 // Version 1 wrote a clamp in double precision, and every setting that changes the samples.
