@@ -41,7 +41,7 @@ const Scene& Renderer::scene() const { return state_->scene; }
 
 RenderSettings Renderer::defaultSettings() const {
     RenderSettings settings = calotype::defaultSettings(scene());
-    settings.crop = {}; // so that it stays the whole picture if the size is changed
+    settings.crop = {}; // so that a changed size still gives the whole picture
     return settings;
 }
 

@@ -43,8 +43,9 @@ public:
         // coincide.
         if (job.film.keepsFilm())
             settings_.bvh = settings_.bvh.value_or(BvhBuilder::Sah);
-        if (settings_.crop.width == 0 && settings_.crop.height == 0)
-            settings_.crop = {0, 0, settings_.width, settings_.height};
+        Crop& crop = settings_.crop;
+        if (crop.x == 0 && crop.y == 0 && crop.width == 0 && crop.height == 0)
+            crop = {0, 0, settings_.width, settings_.height};
     }
 
     RenderResult run() {

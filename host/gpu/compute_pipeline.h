@@ -32,8 +32,8 @@ struct Binding {
 struct ComputePipelineInfo {
     std::string name;
     std::span<const uint32_t> spirv;
-    std::vector<Binding> bindings;     ///< must outlive the pipeline
-    std::vector<vk::Bool32> constants; ///< as in KernelInfo
+    std::vector<Binding> bindings;   ///< must outlive the pipeline
+    std::vector<uint32_t> constants; ///< as in KernelInfo
     uint32_t pushConstantBytes = 0;
 };
 

@@ -19,8 +19,10 @@ uint64_t keyOf(const KernelInfo& info) {
     for (const vk::DescriptorSetLayoutBinding& binding : info.bindings) {
         add(&binding.binding, sizeof binding.binding);
         add(&binding.descriptorType, sizeof binding.descriptorType);
+        add(&binding.descriptorCount, sizeof binding.descriptorCount);
+        add(&binding.stageFlags, sizeof binding.stageFlags);
     }
-    add(info.constants.data(), info.constants.size() * sizeof(vk::Bool32));
+    add(info.constants.data(), info.constants.size() * sizeof(uint32_t));
     add(&info.pushConstantBytes, sizeof info.pushConstantBytes);
     return hash.value();
 }
@@ -37,11 +39,10 @@ Kernel::Kernel(const Device& device, const KernelInfo& info) {
             {{}, 1, &*setLayout_, info.pushConstantBytes > 0 ? 1u : 0u, &range});
         std::vector<vk::SpecializationMapEntry> entries;
         for (uint32_t id = 0; id < info.constants.size(); ++id)
-            entries.push_back(
-                {id, static_cast<uint32_t>(id * sizeof(vk::Bool32)), sizeof(vk::Bool32)});
+            entries.push_back({id, static_cast<uint32_t>(id * sizeof(uint32_t)), sizeof(uint32_t)});
         const vk::SpecializationInfo specialization(
             static_cast<uint32_t>(entries.size()), entries.data(),
-            info.constants.size() * sizeof(vk::Bool32), info.constants.data());
+            info.constants.size() * sizeof(uint32_t), info.constants.data());
         const auto module =
             handle.createShaderModule({{}, info.spirv.size_bytes(), info.spirv.data()});
         const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute,
@@ -61,11 +62,12 @@ std::shared_ptr<const Kernel> KernelStore::get(const Device& device, const Kerne
         return entries_.back().kernel;
     }
     const auto kernel = std::make_shared<const Kernel>(device, info);
-    if (entries_.size() >= kMostKernels) {
+    while (entries_.size() >= kMostKernels) {
         const auto unused = std::ranges::find_if(
             entries_, [](const Entry& entry) { return entry.kernel.use_count() == 1; });
-        if (unused != entries_.end())
-            entries_.erase(unused);
+        if (unused == entries_.end())
+            break;
+        entries_.erase(unused);
     }
     entries_.push_back({key, kernel});
     return kernel;

@@ -16,7 +16,7 @@ struct KernelInfo {
     std::string name; ///< for validation messages and debuggers
     std::span<const uint32_t> spirv;
     std::vector<vk::DescriptorSetLayoutBinding> bindings; ///< of set 0
-    std::vector<vk::Bool32> constants; ///< specialization constants by identifier, all booleans
+    std::vector<uint32_t> constants; ///< specialization constants by identifier, a word each
     uint32_t pushConstantBytes = 0;
 };
 
@@ -35,9 +35,8 @@ private:
     vk::raii::Pipeline pipeline_ = nullptr;
 };
 
-/// The kernels that a device has compiled, so that a process which renders many pictures compiles
-/// each kernel once. Drops the one that was used least recently where there are more than
-/// kMostKernels, except those in use.
+/// The kernels that a device has compiled: pipelines of one device share them. Drops the one that
+/// was used least recently where there are more than kMostKernels, except those in use.
 class KernelStore {
 public:
     static constexpr size_t kMostKernels = 64; ///< a few megabytes each on llvmpipe

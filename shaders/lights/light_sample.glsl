@@ -7,7 +7,7 @@
 //       Chooses a direction towards the light; each component of u is uniform in [0, 1). u.y is a
 //       multiple of 2^-24. u.x need not be one: the choice of the light made it (chooseLight). The
 //       function has no loop, since only loops that count their passes (kernels/lane_rays.glsl) may
-//       take many: llvmpipe ends the loops of a kernel after 65,535 of them.
+//       take many: llvmpipe ends the loops of a kernel after 65,535 passes.
 //   float pdfOf<Kind>Light(Light light, vec3 shadingPoint, LightPoint point)
 //       The density, per solid angle at `shadingPoint`, with which that function chooses `point`.
 //       A ray found `point`.
@@ -15,8 +15,9 @@
 //       The radiance that arrives from `point`, W/(m^2 sr), if nothing blocks it.
 //
 // Kinds that have an area share lights/area_light.glsl. Kinds that are infinitely far away have the
-// direction point.wi only. To add a kind: write its file, include it in lights/light.glsl, and give
-// it a line LIGHT in shared/feature_table.h, from which light.glsl chooses its functions.
+// direction point.wi only. To add a kind: write its file, include it in lights/light.glsl (of the
+// sort UniformQuadric: in lights/uniform_quadric_light.glsl), and give it a line LIGHT in
+// shared/feature_table.h, from which these two call its functions.
 #ifndef CALOTYPE_LIGHTS_LIGHT_SAMPLE_GLSL
 #define CALOTYPE_LIGHTS_LIGHT_SAMPLE_GLSL
 

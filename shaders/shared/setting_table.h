@@ -3,8 +3,8 @@
 // constant itself (config/settings.glsl), and what the host sets it to (render/specialization.cpp,
 // which says what names the last column may use). They are numbered by lines, like the features.
 BEGIN_SETTINGS
-SETTING(SubgroupSize, uint, kSubgroupSize, 1u, info.subgroupSize) // of a workgroup, which is one
-SETTING(NodeEighths, uint, kNodeEighths, 5u, tuned.nodeEighths)   // these five: for the device
+SETTING(SubgroupSize, uint, kSubgroupSize, 1u, info.subgroupSize) // of a workgroup, a subgroup
+SETTING(NodeEighths, uint, kNodeEighths, 5u, tuned.nodeEighths)   // these five suit the device
 SETTING(PrimitiveEighths, uint, kPrimitiveEighths, 3u, tuned.primitiveEighths)
 SETTING(RayEighths, uint, kRayEighths, 7u, tuned.rayEighths)
 SETTING(EventEighths, uint, kEventEighths, 6u, tuned.eventEighths)

@@ -105,13 +105,11 @@ TEST_F(AdaptiveTest, SpendsSamplesBetter) {
 ALSO_SLOW(AdaptiveTest, SpendsSamplesBetter);
 
 // 12 pictures of 512 samples: each against the mean of the others, which has an eleventh of its
-// variance. The quick run leaves out Sobol's points, which need a kernel for each picture.
+// variance.
 TEST_F(AdaptiveTest, PixelsLieWithinTheirIntervals) {
     constexpr uint32_t kPictures = 12;
     const Scene scene = projectScene("scenes/cornell-box.json");
     for (const Sampler sampler : {Sampler::Independent, Sampler::Sobol}) {
-        if (sampler == Sampler::Sobol && !isSlowRun())
-            continue;
         SCOPED_TRACE(nameOf(sampler));
         const RenderSettings settings = settingsFor(scene, 16, 512, 300, sampler);
         SeededFilms films(scene, settings);
@@ -131,7 +129,6 @@ TEST_F(AdaptiveTest, PixelsLieWithinTheirIntervals) {
         EXPECT_LT(coverage.share(), 0.97);
     }
 }
-ALSO_SLOW(AdaptiveTest, PixelsLieWithinTheirIntervals);
 
 } // namespace
 } // namespace calotype::test

@@ -10,9 +10,10 @@ namespace calotype::test {
 
 /// How well directions that a BSDF drew fit the density that it claims.
 struct DirectionFit {
-    double integral = 0.0;  ///< of the density over the upper hemisphere
-    double accepted = 0.0;  ///< share of the draws that gave a direction
-    double tolerance = 0.0; ///< of that share: four standard errors of one half
+    double integral = 0.0; ///< of the density over the upper hemisphere
+    double accepted = 0.0; ///< share of the draws that gave a direction
+    double tolerance =
+        0.0; ///< of that share: 1.95 / sqrt(draws), almost four standard errors of one half
     double chiSquare = 0.0; ///< of the directions, over cells of half vectors
     double limit = 0.0;     ///< which the statistic stays below but for once in 30,000 times
 };
