@@ -68,7 +68,7 @@ TEST_F(ErrorBarsTest, PixelsLieWithinTheirIntervals) {
             std::cout << path << ", " << nameOf(sampler) << ": stated " << ratio << " +- "
                       << standardError << " of the error, " << coverage.share() << " within\n";
             EXPECT_NEAR(ratio, 1.0, 5.0 * standardError);
-            EXPECT_LT(standardError, quickOrFull(0.15, 0.08));
+            EXPECT_LT(standardError, quickOrFull(0.15, 0.05));
         }
 }
 ALSO_SLOW(ErrorBarsTest, PixelsLieWithinTheirIntervals);
