@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/names.h"
+#include "math/greatest.h"
 #include "scene/place.h"
 #include "scene/scene_bounds.h"
 
@@ -15,8 +16,6 @@ namespace calotype {
 namespace {
 
 constexpr double kRounding = 0x1p-23; ///< of a float, relative
-
-double greatest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
 /// Metres from the origin to the box's farthest side.
 double farthest(const Bounds3d& bounds, const glm::dvec3& origin) {

@@ -1,10 +1,10 @@
 #include "materials/excess_albedo.h"
 
-#include <algorithm>
 #include <iomanip>
 #include <sstream>
 
 #include "materials/material_kind.h"
+#include "math/greatest.h"
 
 namespace calotype {
 
@@ -14,8 +14,7 @@ std::optional<double> excessAlbedo(const Material& material, TextureRanges& text
 }
 
 double brightestChannel(const Material& material, TextureRanges& textures) {
-    const glm::dvec3 color = material.color * textures.brightest(material.colorTexture);
-    return std::max({color.x, color.y, color.z});
+    return greatest(material.color * textures.brightest(material.colorTexture));
 }
 
 std::optional<double> whereAbove(double limit, double albedo) {

@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "math/greatest.h"
 #include "math/luminance.h"
 #include "pack/alias_table.h"
 #include "pack/pack_material.h"
@@ -13,8 +14,6 @@
 
 namespace calotype {
 namespace {
-
-double maxComponent(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
 /// The kernel feature for lights of that kind.
 uint32_t featureOf(uint32_t kind) { return shared::kFeatureTriangleLights + kind; }
@@ -31,17 +30,17 @@ constexpr uint32_t kLightKinds = 0
 
 bool LightPacker::isLight(uint32_t materialIndex) const {
     const Material& material = scene_.materials[materialIndex];
-    return maxComponent(material.emission) > 0.0 || !material.visibleToCamera;
+    return greatest(material.emission) > 0.0 || !material.visibleToCamera;
 }
 
 void LightPacker::add(uint32_t kind, uint32_t materialIndex, uint32_t name, uint32_t number,
                       double area) {
     const Material& material = scene_.materials[materialIndex];
     // Camera rays pass through a hidden light even if it is off.
-    const bool shines = maxComponent(material.emission) > 0.0 && area > 0.0;
+    const bool shines = greatest(material.emission) > 0.0 && area > 0.0;
     if (!shines && material.visibleToCamera)
         return;
-    maxRadiance_ = std::max(maxRadiance_, maxComponent(material.emission));
+    maxRadiance_ = std::max(maxRadiance_, greatest(material.emission));
     shared::Light light{};
     light.radiance = glm::vec3(material.emission);
     light.kind = kind;
@@ -64,7 +63,7 @@ void LightPacker::add(uint32_t kind, uint32_t materialIndex, uint32_t name, uint
 void LightPacker::addBackground() {
     if (scene_.background == glm::dvec3(0.0))
         return;
-    maxRadiance_ = std::max(maxRadiance_, maxComponent(scene_.background));
+    maxRadiance_ = std::max(maxRadiance_, greatest(scene_.background));
     const Bounds3d bounds = sceneBounds(scene_);
     const double radius = bounds.isEmpty() ? 1.0 : 0.5 * glm::length(bounds.extent());
     const double area = 4.0 * std::numbers::pi * radius * radius;

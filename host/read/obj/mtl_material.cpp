@@ -6,6 +6,7 @@
 
 #include <glm/common.hpp>
 
+#include "math/greatest.h"
 #include "scene/ranges.h"
 
 namespace calotype {
@@ -16,8 +17,6 @@ constexpr double kMetalRoughness = 0.5;
 constexpr double kBlack = 0.05;
 constexpr double kBright = 0.5;
 constexpr double kGlassIor = 1.5;
-
-double largest(const glm::dvec3& color) { return std::max({color.x, color.y, color.z}); }
 
 class MtlMapping {
 public:
@@ -58,7 +57,7 @@ private:
     }
 
     glm::dvec3 atMostOne(const char* statement, const glm::dvec3& color) {
-        if (largest(color) > 1.0)
+        if (greatest(color) > 1.0)
             note(std::string(statement) + " above 1 was lowered to 1");
         return glm::min(color, glm::dvec3(1.0));
     }
@@ -109,8 +108,8 @@ private:
 
     /// Tinted glass of exporters that write no index; without its filter it would be black.
     bool isBlackFilter() const {
-        const bool tints = largest(mtl_.filter) > 0.0 && mtl_.filter != glm::dvec3(1.0);
-        return tints && !mtl_.diffuseMap && largest(material_.color) <= kBlack;
+        const bool tints = greatest(mtl_.filter) > 0.0 && mtl_.filter != glm::dvec3(1.0);
+        return tints && !mtl_.diffuseMap && greatest(material_.color) <= kBlack;
     }
 
     /// Glass itself cannot emit light, and a surface with holes is thin.
@@ -123,8 +122,8 @@ private:
     }
 
     bool isMirror() const {
-        return isIllumination({3, 5}) && !mtl_.diffuseMap && largest(material_.color) <= kBlack &&
-               largest(mtl_.specular) >= kBright;
+        return isIllumination({3, 5}) && !mtl_.diffuseMap && greatest(material_.color) <= kBlack &&
+               greatest(mtl_.specular) >= kBright;
     }
 
     void chooseType() {
@@ -143,7 +142,7 @@ private:
         } else if (mtl_.roughness || mtl_.roughnessMap) {
             material_.type = MaterialType::Nonmetal;
             readRoughness(exponent);
-        } else if (largest(mtl_.specular) > 0.0 && exponent > 0.0 && !isIllumination({0, 1})) {
+        } else if (greatest(mtl_.specular) > 0.0 && exponent > 0.0 && !isIllumination({0, 1})) {
             becomeGlossy(exponent);
         }
     }
@@ -152,7 +151,7 @@ private:
         material_.type = MaterialType::Dielectric;
         material_.alphaTexture = Material::kNoTexture;
         material_.color =
-            largest(mtl_.filter) > 0.0 ? atMostOne("Tf", mtl_.filter) : glm::dvec3(1.0);
+            greatest(mtl_.filter) > 0.0 ? atMostOne("Tf", mtl_.filter) : glm::dvec3(1.0);
         material_.ior = mtl_.ior.value_or(1.0);
         if (material_.ior <= 0.0 || material_.ior == 1.0) {
             note("Ni of glass is not given, or 1, or not positive, and was taken for 1.5");
@@ -179,8 +178,8 @@ private:
     /// Old files combine Ks 1 with a bright Kd: both keep their proportion, but together they
     /// reflect no more than they receive.
     void becomeGlossy(double exponent) {
-        const double ks = largest(atMostOne("Ks", mtl_.specular));
-        const double share = 1.0 / std::max(1.0, largest(material_.color) + ks);
+        const double ks = greatest(atMostOne("Ks", mtl_.specular));
+        const double share = 1.0 / std::max(1.0, greatest(material_.color) + ks);
         material_.type = MaterialType::BlinnPhong;
         material_.kd = share;
         material_.ks = share * ks;
