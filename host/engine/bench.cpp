@@ -78,7 +78,8 @@ BenchReport measureScene(const Scene& scene, const RenderSettings& settings, uin
     report.seconds.load = loadSeconds;
     EngineRequest request{settings};
     request.settings.samplesPerPixel = (repeats + 2) * settings.samplesPerPixel;
-    DeviceEngine engine(device, scene, request, report.seconds);
+    DeviceEngine engine(std::make_shared<const DeviceSession>(device), scene, request,
+                        report.seconds);
     RenderSettings once = settings;
     once.samplesPerPixel = 1;
     report.firstPassSeconds = renderOnce(engine, once, shouldStop).firstSampleSeconds;

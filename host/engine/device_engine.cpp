@@ -29,18 +29,18 @@ uint64_t requiredBytes(const Device& device, const GpuScene& packed, const Engin
 
 } // namespace
 
-DeviceEngine::DeviceEngine(const DeviceOptions& options, const Scene& scene,
+DeviceEngine::DeviceEngine(std::shared_ptr<const DeviceSession> session, const Scene& scene,
                            const EngineRequest& request, StageSeconds& seconds)
-    : settings_(request.settings), session_(options),
+    : settings_(request.settings), session_(std::move(session)),
       packed_(timed(seconds.build, [&] { return compile(scene, request, builder_); })),
-      deviceBytes_(requiredBytes(session_.device(), packed_, request)),
-      buffers_(timed(seconds.upload, [&] { return SceneBuffers(session_.device(), packed_); })),
+      deviceBytes_(requiredBytes(device(), packed_, request)),
+      buffers_(timed(seconds.upload, [&] { return SceneBuffers(device(), packed_); })),
       tracer_(timed(seconds.compile, [&] {
-          return PathTracer(session_.device(), packed_, buffers_, packed_.features, settings_);
+          return PathTracer(device(), packed_, buffers_, packed_.features, settings_);
       })) {}
 
 FirstHitImage DeviceEngine::firstHits(const std::function<void(double)>& onProgress) {
-    FirstHitPass pass(session_.device(), packed_, buffers_, packed_.features, settings_);
+    FirstHitPass pass(device(), packed_, buffers_, packed_.features, settings_);
     FirstHitImage hits = pass.run(onProgress);
     cutPixels_ = pass.cutPixels();
     return hits;

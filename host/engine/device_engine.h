@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "engine/compile_scene.h"
 #include "engine/device_session.h"
 #include "engine/render_engine.h"
@@ -13,26 +15,25 @@ namespace calotype {
 class DeviceEngine : public RenderEngine {
 public:
     /// `scene` is read by this constructor only. Throws GpuError and SceneError.
-    DeviceEngine(const DeviceOptions& options, const Scene& scene, const EngineRequest& request,
-                 StageSeconds& seconds);
+    DeviceEngine(std::shared_ptr<const DeviceSession> session, const Scene& scene,
+                 const EngineRequest& request, StageSeconds& seconds);
 
     BlockTracer& tracer() override { return tracer_; }
     double maxRadiance() const override { return packed_.maxRadiance; }
     FirstHitImage firstHits(const std::function<void(double)>& onProgress) override;
     uint64_t cutPixels() const override { return cutPixels_; }
-    DeviceInfo info() const override { return session_.device().info(); }
+    DeviceInfo info() const override { return device().info(); }
     const char* tree() const override { return nameOf(builder_); }
     uint64_t deviceBytes() const override { return deviceBytes_; }
-    const Device& device() const { return session_.device(); }
+    const Device& device() const { return session_->device(); }
     const GpuScene& packed() const { return packed_; }
     const SceneBuffers& buffers() const { return buffers_; }
-    void finish() const override { session_.throwOnValidationMessages(); }
+    void finish() const override { session_->throwOnValidationMessages(); }
 
 private:
     RenderSettings settings_;
     BvhBuilder builder_ = BvhBuilder::Sah;
-    // Opened first: without a device the rest is not needed.
-    DeviceSession session_;
+    std::shared_ptr<const DeviceSession> session_;
     GpuScene packed_;
     uint64_t deviceBytes_;
     SceneBuffers buffers_;

@@ -17,6 +17,12 @@ void DeviceSession::throwOnValidationMessages() const {
                        " messages, the first: " + messages.front());
 }
 
+std::shared_ptr<const DeviceSession> DeviceKeeper::session() {
+    if (!session_)
+        session_ = std::make_shared<const DeviceSession>(options_);
+    return session_;
+}
+
 void requireMemory(const Device& device, uint64_t bytes) {
     if (bytes > device.memorySize())
         throw GpuError("the scene and picture need about " + std::to_string(bytes >> 20) +

@@ -6,11 +6,11 @@
 
 namespace calotype {
 
-std::unique_ptr<RenderEngine> makeEngine(const DeviceOptions& options, const Scene& scene,
+std::unique_ptr<RenderEngine> makeEngine(DeviceKeeper& device, const Scene& scene,
                                          const EngineRequest& request, StageSeconds& seconds) {
-    if (isReference(options))
-        return std::make_unique<ReferenceEngine>(options, scene, request, seconds);
-    return std::make_unique<DeviceEngine>(options, scene, request, seconds);
+    if (isReference(device.options()))
+        return std::make_unique<ReferenceEngine>(device.options(), scene, request, seconds);
+    return std::make_unique<DeviceEngine>(device.session(), scene, request, seconds);
 }
 
 } // namespace calotype

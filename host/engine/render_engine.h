@@ -5,12 +5,12 @@
 #include <memory>
 #include <string>
 
+#include "engine/device_session.h"
 #include "engine/stage_seconds.h"
 #include "gpu/device_info.h"
 #include "image/first_hit.h"
 #include "render/block_tracer.h"
 #include "scene/scene.h"
-#include "settings/device_options.h"
 #include "settings/render_settings.h"
 
 namespace calotype {
@@ -48,9 +48,9 @@ struct EngineRequest {
     std::function<void(const std::string&, double)> onProgress = {};
 };
 
-/// The engine that the options name, ready to render. `scene` must outlive it. Stores the times of
-/// building, uploading and compiling in `seconds`. Throws GpuError and SceneError.
-std::unique_ptr<RenderEngine> makeEngine(const DeviceOptions& options, const Scene& scene,
+/// The engine that the options of `device` name, ready to render. `scene` must outlive it. Stores
+/// the times of building, uploading and compiling in `seconds`. Throws GpuError and SceneError.
+std::unique_ptr<RenderEngine> makeEngine(DeviceKeeper& device, const Scene& scene,
                                          const EngineRequest& request, StageSeconds& seconds);
 
 } // namespace calotype

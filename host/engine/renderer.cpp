@@ -4,8 +4,10 @@
 #include <string>
 #include <utility>
 
+#include "base/error.h"
 #include "base/warnings.h"
 #include "check/validate.h"
+#include "engine/device_session.h"
 #include "engine/run_job.h"
 #include "engine/scene_settings.h"
 
@@ -26,13 +28,14 @@ Scene checked(Scene scene) {
 
 struct Renderer::State {
     Scene scene;
-    DeviceOptions device;
+    DeviceKeeper device;
 };
 
 Renderer::Renderer(LoadedScene scene, DeviceOptions device)
-    : state_(std::make_unique<State>(State{std::move(scene), std::move(device)})) {}
+    : state_(std::make_unique<State>(State{std::move(scene), DeviceKeeper(std::move(device))})) {}
 Renderer::Renderer(Scene scene, DeviceOptions device)
-    : state_(std::make_unique<State>(State{checked(std::move(scene)), std::move(device)})) {}
+    : state_(std::make_unique<State>(
+          State{checked(std::move(scene)), DeviceKeeper(std::move(device))})) {}
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
@@ -52,7 +55,12 @@ RenderResult Renderer::render(const RenderSettings& settings, const RenderCallba
 }
 
 RenderResult Renderer::render(const RenderJob& job, const RenderCallbacks& callbacks) {
-    return runJob(state_->scene, state_->device, job, callbacks);
+    try {
+        return runJob(state_->scene, state_->device, job, callbacks);
+    } catch (const GpuError&) {
+        state_->device.forget();
+        throw;
+    }
 }
 
 } // namespace calotype

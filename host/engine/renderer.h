@@ -62,7 +62,8 @@ struct RenderResult {
 /// time; several objects may be used by several threads. Errors are those of base/error.h.
 class Renderer {
 public:
-    /// loadScene has already checked the scene. `render` opens the device.
+    /// loadScene has already checked the scene. The first `render` opens the device; later ones
+    /// also use the kernels that it compiled.
     explicit Renderer(LoadedScene scene, DeviceOptions device = {});
     /// Checks a scene that was made in memory, or changed after loading, like one from a file:
     /// throws SceneError, and adds the warnings that the scene lacks.

@@ -34,7 +34,7 @@ std::vector<float> floatsOf(const Image& image) {
 
 class JobRun {
 public:
-    JobRun(const Scene& scene, const DeviceOptions& device, const RenderJob& job,
+    JobRun(const Scene& scene, DeviceKeeper& device, const RenderJob& job,
            const RenderCallbacks& callbacks)
         : scene_(scene), device_(device), job_(job), callbacks_(callbacks), settings_(job.settings),
           start_(job.start.value_or(Clock::now())) {
@@ -49,7 +49,7 @@ public:
     }
 
     RenderResult run() {
-        requireRenderable(settings_, device_);
+        requireRenderable(settings_, device_.options());
         requireConsistent(job_);
         result_.warnings = scene_.warnings;
         FilmKeeper keeper(job_.film, labelOf(scene_, settings_), settings_.crop,
@@ -203,7 +203,7 @@ private:
     }
 
     const Scene& scene_;
-    const DeviceOptions& device_;
+    DeviceKeeper& device_;
     const RenderJob& job_;
     const RenderCallbacks& callbacks_;
     RenderSettings settings_;
@@ -215,7 +215,7 @@ private:
 
 } // namespace
 
-RenderResult runJob(const Scene& scene, const DeviceOptions& device, const RenderJob& job,
+RenderResult runJob(const Scene& scene, DeviceKeeper& device, const RenderJob& job,
                     const RenderCallbacks& callbacks) {
     return JobRun(scene, device, job, callbacks).run();
 }

@@ -175,7 +175,8 @@ int main(int argc, char** argv) {
     settings.sampler = Sampler::Independent;
     settings.bvh = BvhBuilder::Sah;
     StageSeconds seconds;
-    const DeviceEngine engine({}, scene, {settings}, seconds);
+    const DeviceEngine engine(std::make_shared<const DeviceSession>(DeviceOptions{}), scene,
+                              {settings}, seconds);
     const EmbreeScene embree(engine.packed().triangles);
     const std::vector<Workload> workloads = {{"primary", {RayKind::afterBounces(0)}},
                                              {"path",

@@ -245,6 +245,26 @@ TEST_F(RendererTest, StoresKernelsInTheFolderThatIsGiven) {
     EXPECT_TRUE(std::filesystem::exists(usual / "calotype"));
 }
 
+// A kernel that is compiled is also stored on disk, so a folder that was removed shows it.
+TEST_F(RendererTest, KeepsItsDeviceUntilItFails) {
+    const ScratchFolder folder;
+    device_.cacheFolder = folder / "kernels";
+    Renderer renderer(brightWall(), device_);
+    const RenderSettings settings = renderer.defaultSettings();
+    const auto compiles = [&] {
+        std::filesystem::remove_all(device_.cacheFolder);
+        const std::vector<float> pixels = renderer.render(settings).pixels;
+        EXPECT_EQ(pixels, std::vector<float>(3 * 16 * 16, static_cast<float>(kRadiance)));
+        return std::filesystem::exists(device_.cacheFolder);
+    };
+    EXPECT_TRUE(compiles());
+    EXPECT_FALSE(compiles());
+    RenderCallbacks callbacks;
+    callbacks.onProgress = [](const std::string&, double) { throw GpuError("the device is lost"); };
+    EXPECT_THROW(renderer.render(settings, callbacks), GpuError);
+    EXPECT_TRUE(compiles());
+}
+
 TEST_F(RendererTest, StopsWhenItIsTold) {
     Renderer renderer(brightWall(), device_);
     RenderSettings settings = renderer.defaultSettings();
