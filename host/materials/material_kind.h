@@ -60,8 +60,8 @@ struct MaterialKind {
     /// Opaque kinds may emit light, and the alpha of their colour's texture makes holes.
     bool isOpaque;
 
-    /// Sets the packed material's `lobes`, and those numbers that have a special meaning for them.
-    /// All other numbers are packed before.
+    /// Sets the packed material's `lobes`, those numbers that have a special meaning for them, and
+    /// those that only this kind has. The others are packed before.
     void (*pack)(const Material& material, shared::Material& packed);
 
     /// The largest share of the light from one direction that the material can reflect, if it is

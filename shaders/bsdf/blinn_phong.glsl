@@ -14,10 +14,15 @@
 
 #include "bsdf/half_vector.glsl"
 #include "bsdf/lobe.glsl"
-#include "bsdf/surface_parameters.glsl"
+#include "config/features.glsl"
 #include "core/constants.glsl"
 #include "core/exponential.glsl"
 #include "core/trigonometry.glsl"
+#include "shared/scene_structs.h"
+
+const bool kBlinnPhongMayBeSpecular = false;
+const bool kBlinnPhongCrosses = false;
+const bool kBlinnPhongCrossesWithDensity = false;
 
 struct BlinnPhongLobe {
     float ks;
@@ -25,9 +30,9 @@ struct BlinnPhongLobe {
     bool isNormalized;
 };
 
-BlinnPhongLobe makeBlinnPhong(SurfaceParameters surface) {
-    return BlinnPhongLobe(surface.specular, surface.exponent,
-                          (surface.lobes & kNormalizedLobe) != 0u);
+BlinnPhongLobe makeBlinnPhong(Material material) {
+    return BlinnPhongLobe(material.specular, material.exponent,
+                          (material.lobes & kNormalizedLobe) != 0u);
 }
 
 bool isSpecular(BlinnPhongLobe lobe) { return false; }

@@ -6,7 +6,6 @@
 #include "bsdf/lobe.glsl"
 #include "bsdf/lobes.glsl"
 #include "bsdf/shading_normal.glsl"
-#include "bsdf/surface_parameters.glsl"
 #include "config/features.glsl"
 #include "core/frame.glsl"
 #include "core/select.glsl"
@@ -74,13 +73,13 @@ void shareOut(inout Bsdf bsdf) {
 #include "shared/feature_table.h"
 }
 
-/// `horizon` is the normal of the plane below which light is cut off: ng, or the interpolated
-/// normal if rays start from the smooth surface.
-Bsdf makeBsdf(SurfaceParameters surface, vec3 ng, vec3 ns, vec3 horizon, vec3 woWorld) {
+/// The material's textures are looked up. `horizon` is the normal of the plane below which light is
+/// cut off: ng, or the interpolated normal if rays start from the smooth surface.
+Bsdf makeBsdf(Material material, vec3 ng, vec3 ns, vec3 horizon, vec3 woWorld) {
     bool isOutside = dot(woWorld, ng) >= 0.0;
     float side = isOutside ? 1.0 : -1.0;
     Bsdf bsdf;
-    bsdf.lobes = surface.lobes;
+    bsdf.lobes = material.lobes;
     bsdf.ng = side * ng;
     bsdf.horizon = side * horizon;
     vec3 shadingNormal =
@@ -90,8 +89,8 @@ Bsdf makeBsdf(SurfaceParameters surface, vec3 ng, vec3 ns, vec3 horizon, vec3 wo
     // The error of this cosine: gamma_3 (4e-7) from the sum of three products, and as much from the
     // frame's axes. So a view along the surface may come out below it, by less than 1e-6.
     bsdf.wo = vec3(wo.xy, greater(wo.z, 1e-6));
-    surface.eta = isOutside ? surface.eta : 1.0 / surface.eta;
-#define LOBE(id, member, people) bsdf.member = make##id(surface);
+    material.eta = isOutside ? material.eta : 1.0 / material.eta;
+#define LOBE(id, member, people) bsdf.member = make##id(material);
 #include "shared/feature_table.h"
     shareOut(bsdf);
     return bsdf;

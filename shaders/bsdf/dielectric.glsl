@@ -5,15 +5,20 @@
 
 #include "bsdf/fresnel.glsl"
 #include "bsdf/lobe.glsl"
-#include "bsdf/surface_parameters.glsl"
+#include "config/features.glsl"
+#include "shared/scene_structs.h"
+
+const bool kDielectricMayBeSpecular = hasDielectric;
+const bool kDielectricCrosses = hasDielectric;
+const bool kDielectricCrossesWithDensity = false;
 
 struct DielectricLobe {
     vec3 tint; ///< of the light that crosses the boundary
     float eta; ///< index of refraction on the far side over that on the viewer's
 };
 
-DielectricLobe makeDielectric(SurfaceParameters surface) {
-    return DielectricLobe(surface.color, surface.eta);
+DielectricLobe makeDielectric(Material material) {
+    return DielectricLobe(material.color, material.eta);
 }
 
 bool isSpecular(DielectricLobe lobe) { return true; }

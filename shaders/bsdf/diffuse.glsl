@@ -3,9 +3,14 @@
 #define CALOTYPE_BSDF_DIFFUSE_GLSL
 
 #include "bsdf/lobe.glsl"
-#include "bsdf/surface_parameters.glsl"
+#include "config/features.glsl"
 #include "core/select.glsl"
 #include "core/warp.glsl"
+#include "shared/scene_structs.h"
+
+const bool kDiffuseMayBeSpecular = false;
+const bool kDiffuseCrosses = false;
+const bool kDiffuseCrossesWithDensity = false;
 
 struct DiffuseLobe {
     vec3 reflectance;
@@ -13,12 +18,12 @@ struct DiffuseLobe {
 
 /// Under a GGX lobe the reflectance is what the lobe's F0 leaves ("Metal and nonmetal"); under
 /// Blinn-Phong it is the share `kd`.
-DiffuseLobe makeDiffuse(SurfaceParameters surface) {
-    vec3 reflectance = surface.color;
-    if (hasGgx && (surface.lobes & kLobeGgx) != 0u)
-        reflectance = (1.0 - surface.specular) * surface.color;
-    if (hasBlinnPhong && (surface.lobes & kLobeBlinnPhong) != 0u)
-        reflectance = surface.kd * surface.color;
+DiffuseLobe makeDiffuse(Material material) {
+    vec3 reflectance = material.color;
+    if (hasGgx && (material.lobes & kLobeGgx) != 0u)
+        reflectance = (1.0 - material.specular) * material.color;
+    if (hasBlinnPhong && (material.lobes & kLobeBlinnPhong) != 0u)
+        reflectance = material.kd * material.color;
     return DiffuseLobe(reflectance);
 }
 

@@ -18,11 +18,16 @@
 #include "bsdf/fresnel.glsl"
 #include "bsdf/half_vector.glsl"
 #include "bsdf/lobe.glsl"
-#include "bsdf/surface_parameters.glsl"
+#include "config/features.glsl"
 #include "core/constants.glsl"
 #include "core/select.glsl"
 #include "core/trigonometry.glsl"
 #include "shared/limits.h"
+#include "shared/scene_structs.h"
+
+const bool kGgxMayBeSpecular = hasMirrors;
+const bool kGgxCrosses = false;
+const bool kGgxCrossesWithDensity = false;
 
 struct GgxLobe {
     vec3 f0;
@@ -31,13 +36,13 @@ struct GgxLobe {
     bool isMirror;
 };
 
-GgxLobe makeGgx(SurfaceParameters surface) {
-    bool isMetal = (surface.lobes & kColorIsF0) != 0u;
-    float k = (surface.roughness + 1.0) * (surface.roughness + 1.0) * 0.125;
+GgxLobe makeGgx(Material material) {
+    bool isMetal = (material.lobes & kColorIsF0) != 0u;
+    float k = (material.roughness + 1.0) * (material.roughness + 1.0) * 0.125;
     GgxLobe lobe;
-    lobe.f0 = isMetal ? surface.color : vec3(surface.specular);
-    lobe.alpha = surface.roughness * surface.roughness;
-    lobe.maskingK = (surface.lobes & kSmithMasking) != 0u ? -1.0 : k;
+    lobe.f0 = isMetal ? material.color : vec3(material.specular);
+    lobe.alpha = material.roughness * material.roughness;
+    lobe.maskingK = (material.lobes & kSmithMasking) != 0u ? -1.0 : k;
     lobe.isMirror = hasMirrors && lobe.alpha < kMirrorAlpha;
     return lobe;
 }

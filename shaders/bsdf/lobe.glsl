@@ -1,8 +1,15 @@
 // The contract of a lobe, which is one way in which a surface scatters light.
 //
-// A file bsdf/<lobe>.glsl declares a struct and these functions, all overloads of the same names:
+// A file bsdf/<lobe>.glsl declares a struct, three constants, and these functions, all overloads of
+// the same names:
 //
-//   <Name>Lobe make<Name>(SurfaceParameters surface)
+//   const bool k<Name>MayBeSpecular       It may scatter to certain directions only.
+//   const bool k<Name>Crosses             It may scatter to the far side of the surface.
+//   const bool k<Name>CrossesWithDensity  There it has a density; light is sampled there too.
+//       Each may depend on features, so that scenes without the lobe do not need the code.
+//   <Name>Lobe make<Name>(Material material)
+//       From a material whose textures are looked up. Its `eta` is the index of refraction on the
+//       far side over that on the viewer's.
 //   bool isSpecular(<Name>Lobe lobe)
 //       True for a lobe that scatters to certain directions only. It has no density.
 //   float lobeAlbedo(<Name>Lobe lobe, vec3 wo)
@@ -22,9 +29,8 @@
 // which the lobe does not scatter. A sampled direction may lie on such a side; it then counts as
 // no light.
 //
-// To add a lobe: write its file; include it in bsdf/lobes.glsl, and name it in those of the
-// constants there that it makes true; and give it a line LOBE in shared/feature_table.h, from which
-// bsdf/bsdf.glsl calls its functions.
+// To add a lobe: write its file, include it in bsdf/lobes.glsl, and give it a line LOBE in
+// shared/feature_table.h, from which bsdf/bsdf.glsl calls its functions.
 #ifndef CALOTYPE_BSDF_LOBE_GLSL
 #define CALOTYPE_BSDF_LOBE_GLSL
 

@@ -1,4 +1,4 @@
-// The closed list of lobes: their files, and properties of some of them. Code outside the files
+// The closed list of lobes: their files, and what some of them can do. Code outside the files
 // depends on these constants, not on a certain lobe.
 #ifndef CALOTYPE_BSDF_LOBES_GLSL
 #define CALOTYPE_BSDF_LOBES_GLSL
@@ -7,13 +7,23 @@
 #include "bsdf/dielectric.glsl"
 #include "bsdf/diffuse.glsl"
 #include "bsdf/ggx.glsl"
-#include "config/features.glsl"
 
 /// True if some lobe may be specular.
-const bool hasSpecular = hasMirrors || hasDielectric;
-/// True if some lobe transmits and has a density: then light is also sampled from the far side.
-const bool hasTransmission = false;
+#define BEGIN_FEATURES const bool hasSpecular = false
+#define LOBE(id, member, people) || k##id##MayBeSpecular
+#define END_FEATURES ;
+#include "shared/feature_table.h"
+
 /// True if some lobe transmits, with a density or without.
-const bool hasCrossing = hasDielectric || hasTransmission;
+#define BEGIN_FEATURES const bool hasCrossing = false
+#define LOBE(id, member, people) || k##id##Crosses
+#define END_FEATURES ;
+#include "shared/feature_table.h"
+
+/// True if some lobe transmits with a density: then light is also sampled from the far side.
+#define BEGIN_FEATURES const bool hasTransmission = false
+#define LOBE(id, member, people) || k##id##CrossesWithDensity
+#define END_FEATURES ;
+#include "shared/feature_table.h"
 
 #endif

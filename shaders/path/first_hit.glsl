@@ -21,10 +21,11 @@ bool isSeenThrough(Interaction surface) {
 }
 
 FirstHit firstHitOn(Interaction surface, Camera camera, vec3 wo) {
-    SurfaceParameters parameters = surfaceParameters(materialOf(surface), surface);
+    Material material = materialOf(surface);
+    applyTextures(material, surface);
     float side = dot(wo, surface.ng) >= 0.0 ? 1.0 : -1.0;
     FirstHit hit;
-    hit.albedo = surfaceAlbedo(parameters);
+    hit.albedo = surfaceAlbedo(material);
     hit.depth = dot(surface.position - camera.position, camera.forward);
     hit.normal = side * surface.ns;
     hit.primitive = surface.id;

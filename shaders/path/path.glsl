@@ -89,8 +89,8 @@ void playRoulette(inout Path path, float u) {
 /// Samples a light and the path's next direction. The next ray is a shadow ray if light may arrive.
 bool scatter(inout Path path, Interaction surface, Material material, PathLimits limits) {
     vec3 wo = -path.rayDirection;
-    SurfaceParameters parameters = surfaceParameters(material, surface);
-    Bsdf bsdf = makeBsdf(parameters, surface.ng, surface.ns, surface.horizon, wo);
+    applyTextures(material, surface);
+    Bsdf bsdf = makeBsdf(material, surface.ng, surface.ns, surface.horizon, wo);
     Departure from = departureFrom(surface, bsdf.ng);
 
     // Direct light first: the throughput does not include the next direction yet.

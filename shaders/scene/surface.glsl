@@ -1,4 +1,4 @@
-// The material at a point of a surface, with all textures looked up.
+// The material at a point of a surface.
 #ifndef CALOTYPE_SCENE_SURFACE_GLSL
 #define CALOTYPE_SCENE_SURFACE_GLSL
 
@@ -19,25 +19,28 @@ float alphaAt(Material material, vec2 uv) {
     return alpha;
 }
 
-/// Looks up the material's textures, and applies its normal map to the shading normal.
-SurfaceParameters surfaceParameters(Material material, inout Interaction surface) {
+/// Multiplies the material's numbers by its textures, and applies its normal map to the shading
+/// normal.
+void applyTextures(inout Material material, inout Interaction surface) {
     vec2 uv = hasTextures ? surface.coordinates.uv : vec2(0.0);
-    vec3 color = material.color;
     if (hasColorTextures && material.colorTexture != kNone)
-        color *= clamp(sampleTexture(material.colorTexture, uv, true).rgb, 0.0, 1.0);
+        material.color *= clamp(sampleTexture(material.colorTexture, uv, true).rgb, 0.0, 1.0);
     if (hasNormalMaps && material.normalMap != kNone) {
         vec3 texel = sampleTexture(material.normalMap, uv, false).rgb;
         surface.ns = mappedNormal(texel, surface.ns, surface.coordinates.dpdu,
                                   surface.coordinates.dpdv, surface.ng);
     }
-    float roughness = material.roughness;
     if (hasRoughnessTextures && material.roughnessTexture != kNone)
-        roughness *= clamp(sampleTexture(material.roughnessTexture, uv, false).r, 0.0, 1.0);
-    float specular = material.specular;
+        material.roughness *=
+            clamp(sampleTexture(material.roughnessTexture, uv, false).r, 0.0, 1.0);
     if (hasSpecularTextures && material.specularTexture != kNone)
-        specular *= clamp(sampleTexture(material.specularTexture, uv, false).r, 0.0, 1.0);
-    return SurfaceParameters(material.lobes, color, roughness, specular, material.kd,
-                             material.exponent, material.eta);
+        material.specular *= clamp(sampleTexture(material.specularTexture, uv, false).r, 0.0, 1.0);
+}
+
+/// The colour of the lobes of a material whose textures are looked up: a metal's F0, the
+/// reflectance of any other opaque material, 1 for a clear one.
+vec3 surfaceAlbedo(Material material) {
+    return (material.lobes & kColorIsTint) != 0u ? vec3(1.0) : material.color;
 }
 
 #endif

@@ -13,7 +13,8 @@
 //
 // LOBE is a lobe: identifier, name of its member in Bsdf, and name for people. Its feature is
 // Diffuse. From its line also come kLobeDiffuse (shared/scene_structs.h), its part of a Bsdf and
-// the calls of its functions (bsdf/bsdf.glsl). These lines follow each other.
+// the calls of its functions (bsdf/bsdf.glsl). These lines follow each other. A material has at
+// most one of GGX and Blinn-Phong; a dielectric has no other lobe.
 //
 // The macros that the including file does not define: LIGHT and LOBE are FEATURE, others are empty.
 #ifndef BEGIN_FEATURES

@@ -22,8 +22,7 @@ CALOTYPE_CONSTANT uint kCylinder = 1;
 CALOTYPE_CONSTANT uint kCone = 2;
 CALOTYPE_CONSTANT uint kDisk = 3;
 
-// Material::lobes: the lobes of the material. At most one of GGX and Blinn-Phong; a dielectric has
-// none of them.
+// Material::lobes: the lobes of the material.
 #define LOBE(id, member, people)                                                                   \
     CALOTYPE_CONSTANT uint kLobe##id = 1u << (kFeature##id - kFeatureDiffuse);
 #include "shared/feature_table.h"

@@ -29,13 +29,13 @@ struct LobeCase {
 LobeCase lobeCase(const std::string& name, uint32_t lobes, float roughness, float exponent,
                   float eta) {
     shared::TestScattering event{};
-    event.lobes = lobes;
-    event.color = {0.9f, 0.6f, 0.3f};
-    event.roughness = roughness;
-    event.specular = 0.2f;
-    event.kd = 0.7f;
-    event.exponent = exponent;
-    event.eta = eta;
+    event.material.lobes = lobes;
+    event.material.color = {0.9f, 0.6f, 0.3f};
+    event.material.roughness = roughness;
+    event.material.specular = 0.2f;
+    event.material.kd = 0.7f;
+    event.material.exponent = exponent;
+    event.material.eta = eta;
     return {name, event};
 }
 

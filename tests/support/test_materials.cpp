@@ -62,18 +62,11 @@ std::vector<TestMaterial> testMaterials() {
 shared::TestScattering scatteringOn(const Material& material, const glm::dvec3& wo) {
     SceneFeatures ignored;
     TexturePacker noTextures({});
-    const shared::Material packed = packMaterial(material, {}, noTextures, ignored);
     shared::TestScattering event{};
     event.ng = event.ns = glm::vec3(0.0f, 0.0f, 1.0f);
     event.wo = glm::vec3(wo);
     event.wi = glm::vec3(0.0f, 0.0f, 1.0f);
-    event.lobes = packed.lobes;
-    event.color = packed.color;
-    event.roughness = packed.roughness;
-    event.specular = packed.specular;
-    event.kd = packed.kd;
-    event.exponent = packed.exponent;
-    event.eta = packed.eta;
+    event.material = packMaterial(material, {}, noTextures, ignored);
     return event;
 }
 

@@ -1,9 +1,9 @@
 #version 460
-// One lobe of the closed list, by the functions of its contract. The event's `lobes` names it.
+// One lobe of the closed list, by the functions of its contract. The event's material names it.
 #extension GL_GOOGLE_include_directive : require
 
 #include "bsdf/bsdf.glsl"
-#include "support/kernels/test_surface.glsl"
+#include "support/kernels/test_structs.h"
 
 layout(local_size_x = 64) in;
 layout(set = 0, binding = 0) readonly buffer Inputs { TestScattering events[]; };
@@ -24,12 +24,11 @@ void main() {
     if (i >= events.length())
         return;
     TestScattering event = events[i];
-    SurfaceParameters surface = surfaceOf(event);
     vec3 u = vec3(event.u1, event.u2, event.u3);
     TestLobe result;
 #define LOBE(id, member, people)                                                                   \
-    if ((event.lobes & kLobe##id) != 0u)                                                           \
-    CALOTYPE_TEST_LOBE(make##id(surface))
+    if ((event.material.lobes & kLobe##id) != 0u)                                                           \
+    CALOTYPE_TEST_LOBE(make##id(event.material))
 #include "shared/feature_table.h"
     results[i] = result;
 }

@@ -1,19 +1,18 @@
-// The list of lobes with another one in the place of the diffuse lobe: a rough boundary that
-// reflects the share kd of what it scatters and transmits the rest, each by the cosine. No material
-// of the program transmits with a density; the code that such a lobe needs is tested with this one.
-// Included before all else, it replaces bsdf/lobes.glsl, whose include guard it defines.
-#ifndef CALOTYPE_BSDF_LOBES_GLSL
-#define CALOTYPE_BSDF_LOBES_GLSL
+// A lobe in the place of the diffuse one: a rough boundary that reflects the share kd of what it
+// scatters and transmits the rest, each by the cosine. No material of the program transmits with a
+// density; the code that such a lobe needs is tested with this one. Included before all else, it
+// replaces bsdf/diffuse.glsl, whose include guard it defines.
+#ifndef CALOTYPE_BSDF_DIFFUSE_GLSL
+#define CALOTYPE_BSDF_DIFFUSE_GLSL
 
-#include "bsdf/blinn_phong.glsl"
-#include "bsdf/dielectric.glsl"
-#include "bsdf/ggx.glsl"
-#include "config/features.glsl"
+#include "bsdf/lobe.glsl"
+#include "core/select.glsl"
 #include "core/warp.glsl"
+#include "shared/scene_structs.h"
 
-const bool hasSpecular = hasMirrors || hasDielectric;
-const bool hasTransmission = true;
-const bool hasCrossing = true;
+const bool kDiffuseMayBeSpecular = false;
+const bool kDiffuseCrosses = true;
+const bool kDiffuseCrossesWithDensity = true;
 
 struct DiffuseLobe {
     vec3 color;
@@ -21,8 +20,8 @@ struct DiffuseLobe {
     float eta; ///< index of refraction on the far side over that on the viewer's
 };
 
-DiffuseLobe makeDiffuse(SurfaceParameters surface) {
-    return DiffuseLobe(surface.color, surface.kd, surface.eta);
+DiffuseLobe makeDiffuse(Material material) {
+    return DiffuseLobe(material.color, material.kd, material.eta);
 }
 
 bool isSpecular(DiffuseLobe lobe) { return false; }

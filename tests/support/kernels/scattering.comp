@@ -3,7 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 
 #include "bsdf/bsdf.glsl"
-#include "support/kernels/test_surface.glsl"
+#include "support/kernels/test_structs.h"
 
 layout(local_size_x = 64) in;
 layout(set = 0, binding = 0) readonly buffer Inputs { TestScattering events[]; };
@@ -14,7 +14,7 @@ void main() {
     if (i >= events.length())
         return;
     TestScattering event = events[i];
-    Bsdf bsdf = makeBsdf(surfaceOf(event), event.ng, event.ns, event.ng, event.wo);
+    Bsdf bsdf = makeBsdf(event.material, event.ng, event.ns, event.ng, event.wo);
     BsdfSample scattered = sampleBsdf(bsdf, vec3(event.u1, event.u2, event.u3));
     BsdfValue again = evaluateBsdf(bsdf, scattered.wi);
     BsdfValue given = evaluateBsdf(bsdf, event.wi);

@@ -78,13 +78,8 @@ struct TestScattering {
     vec3 wo;
     float u3;
     vec3 wi; ///< for `given`
-    uint lobes;
-    vec3 color;
-    float roughness;
-    float specular;
-    float kd;
-    float exponent;
-    float eta;
+    float pad0;
+    Material material; ///< without textures
 };
 
 struct TestScattered {
