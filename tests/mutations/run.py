@@ -254,14 +254,19 @@ def names_with_counts(failed):
                      for name in dict.fromkeys(failed))
 
 
-def unmutated_passes(project, mutations):
-    """Builds what is needed, and runs every filter on the code as it is."""
-    passes = True
+def builds(project, mutations):
+    """Builds what the mutations need, as the code is."""
     for target in dict.fromkeys(mutation["target"] for mutation in mutations):
         error = project.build(target)
         if error:
             print(f"the project does not build:\n{error}", file=sys.stderr)
             return False
+    return True
+
+
+def unmutated_passes(project, mutations):
+    """Runs every filter on the code as it is."""
+    passes = True
     for target, test_filter in dict.fromkeys((m["target"], m["filter"]) for m in mutations):
         result, failed = project.test(target, test_filter)
         if result != "passed":
@@ -302,17 +307,11 @@ def run(mutations, jobs):
     """Plants the faults in as many copies of the project at a time as there are jobs."""
     started = time.monotonic()
     cores = os.cpu_count()
-    first = Project(WORK / "1", build_jobs=cores)
-    if not unmutated_passes(first, mutations):
-        return False
-    projects = [first] + [Project(WORK / str(number), build_jobs=cores)
-                          for number in range(2, jobs + 1)]
-    for project in projects[1:]:
-        for target in dict.fromkeys(mutation["target"] for mutation in mutations):
-            error = project.build(target)
-            if error:
-                print(f"the project does not build:\n{error}", file=sys.stderr)
-                return False
+    projects = []
+    for number in range(1, jobs + 1):
+        projects.append(Project(WORK / str(number), build_jobs=cores))
+        if not builds(projects[-1], mutations):
+            return False
     for project in projects:
         project.build_jobs = max(cores // jobs, 1)
     print("| # | fault | planted in | caught by |\n|---|---|---|---|", flush=True)
@@ -320,7 +319,9 @@ def run(mutations, jobs):
     # Tests of time run alone, as in CTest: what runs beside them could make them fail.
     timed = [mutation for mutation in mutations if "Timed" in mutation["filter"]]
     others = [mutation for mutation in mutations if "Timed" not in mutation["filter"]]
-    for chosen, copies in ((others, projects), (timed, [first])):
+    for chosen, copies in ((others, projects), (timed, projects[:1])):
+        if not unmutated_passes(projects[0], chosen):
+            return False
         waiting = queue.SimpleQueue()
         for mutation in chosen:
             waiting.put(mutation)
