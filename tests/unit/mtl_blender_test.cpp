@@ -70,6 +70,8 @@ TEST_F(MtlBlenderTest, ItsDefaultOptionStatesRoughnessByNs) {
     EXPECT_EQ(rough.roughness, 1.0);
     const auto& source = mapped.textures.at(rough.roughnessTexture).source;
     EXPECT_EQ(std::get<ImageTexture>(source).image->bytes[0], 204);
+    // Before 3.1 it also wrote the number that the map replaces.
+    EXPECT_EQ(materialOf(plain(250, "0.1 0.1 0.1", "map_Ns high.png\n")).roughness, 1.0);
 }
 
 TEST_F(MtlBlenderTest, ItsFilesAreKnownByTheirFirstLine) {
@@ -90,6 +92,10 @@ TEST_F(MtlBlenderTest, ItsFilesAreKnownByTheirFirstLine) {
 
 TEST_F(MtlBlenderTest, ColouredHighlightsAreOfAnotherOrigin) {
     EXPECT_EQ(materialOf("Ns 90\nKa 0 0 0\nKd 0.2 0.2 0.2\nKs 0.5 0.1 0.1\nillum 2\n").type,
+              MaterialType::BlinnPhong);
+    EXPECT_EQ(remarkedMaterialOf("Ns 90\nKd 0.2\nKs 0.5 0.1 0.1\nmap_Ks low.png\n",
+                                 "map_Ns, map_Ks and map_refl, which say nothing beside")
+                  .type,
               MaterialType::BlinnPhong);
 }
 
@@ -123,6 +129,8 @@ TEST_F(MtlBlenderTest, IllumAndKaMarkMetals) {
               MaterialType::Nonmetal);
     const std::string mean = "a map of the metallic share was replaced by its mean";
     EXPECT_EQ(remarkedMaterialOf(start + "Ka 1 1 1\nillum 2\nmap_refl high.png\n", mean).type,
+              MaterialType::Metal);
+    EXPECT_EQ(remarkedMaterialOf(start + "Ka 1 1 1\nillum 2\nrefl high.png\n", mean).type,
               MaterialType::Metal);
     EXPECT_EQ(remarkedMaterialOf(start + "Ka 1 1 1\nillum 2\nmap_refl low.png\n", mean).type,
               MaterialType::Nonmetal);

@@ -100,6 +100,7 @@ constexpr TextureStatement kTextures[] = {
     {"map_ns", &MtlMaterial::exponentMap, true},
     {"map_ks", &MtlMaterial::specularMap, true},
     {"map_refl", &MtlMaterial::reflectionMap, true},
+    {"refl", &MtlMaterial::reflectionMap, true},
 };
 
 template <typename Statement, size_t Count>

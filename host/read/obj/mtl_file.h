@@ -41,7 +41,7 @@ struct MtlMaterial {
     std::optional<MtlTexture> emissionMap;
     std::optional<MtlTexture> exponentMap;   ///< map_Ns; from Blender only, as the next two
     std::optional<MtlTexture> specularMap;   ///< map_Ks
-    std::optional<MtlTexture> reflectionMap; ///< map_refl
+    std::optional<MtlTexture> reflectionMap; ///< map_refl, refl before 3.1
 
     /// Statements whose effect is not rendered: in lower case, and as written.
     std::map<std::string, std::string> unsupported;

@@ -243,16 +243,15 @@ private:
             material_.masking = Masking::Smith;
         if (!mtl_.specular && !mtl_.specularMap && !mtl_.isFromBlender)
             return;
-        const double stated = mtl_.ior.value_or(kGlassIor);
+        const double written = mtl_.ior.value_or(kGlassIor);
         const double index =
-            clamped("Ni", stated > 0.0 ? stated : kGlassIor, ranges::kIndexOfRefraction);
+            clamped("Ni", written > 0.0 ? written : kGlassIor, ranges::kIndexOfRefraction);
         if (mtl_.specularMap)
             material_.specularTexture = maps_.scalar(*mtl_.specularMap, mtl_.directory);
         const bool isMapped = material_.specularTexture != Material::kNoTexture;
-        const glm::dvec3 level =
-            mtl_.specular ? specular_ : glm::dvec3(isMapped ? 1.0 : kUsualLevel);
-        material_.specular = std::min(1.0, 2.0 * greatest(share("Ks", level)) *
-                                               square((index - 1.0) / (index + 1.0)));
+        const glm::dvec3 stated = mtl_.specular ? specular_ : glm::dvec3(kUsualLevel);
+        const double level = isMapped ? 1.0 : greatest(share("Ks", stated));
+        material_.specular = std::min(1.0, 2.0 * level * square((index - 1.0) / (index + 1.0)));
         if (material_.specular == 0.0)
             material_.type = MaterialType::Diffuse; // the index is that of air: no grazing light
     }

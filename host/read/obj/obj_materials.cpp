@@ -79,12 +79,14 @@ public:
         ignored_.warn(path_, context_);
         if (undefined_.empty())
             return;
-        const std::string end = library_->missing().empty()
-                                    ? suggestion(undefined_.front(), library_->names())
-                                    : std::string();
-        context_.warn(path_, "a neutral grey stands for the undefined material in " +
-                                 listInQuotes(undefined_) + " (used from line " +
-                                 std::to_string(undefinedLine_) + " on)" + end);
+        const std::string nearest = library_->missing().empty()
+                                        ? nearestName(undefined_.front(), library_->names())
+                                        : std::string();
+        context_.warn(path_,
+                      "a neutral grey stands for the undefined material in " +
+                          listInQuotes(undefined_) + " (used from line " +
+                          std::to_string(undefinedLine_) + " on)" +
+                          (nearest.empty() ? "" : "; did you mean " + inQuotes(nearest) + "?"));
     }
 
 private:
