@@ -114,9 +114,9 @@ TEST_F(MtlNamesTest, TimeIsInProportionToTheInput) {
     std::vector<std::string> names;
     std::string libraries;
     for (int i = 0; i < kMaterials; ++i) {
-        mtl +=
-            "newmtl m" + std::to_string(i) + "\nKd 2 2 2\nKs 0 0 0\nNs 10\n"; // each has a remark
-        names.push_back("m" + std::to_string(i));
+        const std::string number = std::to_string(i);
+        mtl.append("newmtl m").append(number).append("\nKd 2 2 2\n"); // each has a remark
+        names.emplace_back("m").append(number);
         libraries += "mtllib m.mtl\nmtllib ./m.mtl\n";
     }
     files_.write("m.mtl", mtl);

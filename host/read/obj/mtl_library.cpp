@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "base/error.h"
 #include "base/find_file.h"
@@ -65,71 +67,97 @@ std::shared_ptr<const MtlFile> readMtl(const std::filesystem::path& path, ReadCo
     return file;
 }
 
+/// Finds and reads the files that "mtllib" statements name.
+class LibraryReader {
+public:
+    LibraryReader(const std::filesystem::path& directory, MtlFiles& files, ReadContext& context)
+        : directory_(directory), files_(files), context_(context) {}
+
+    /// Most exporters do not escape blanks in names: the whole may be one name, or each part up to
+    /// an extension.
+    void readStatement(std::string_view statement) {
+        for (const std::string_view reading : readingsOf(statement))
+            if (read(std::string(reading)))
+                return;
+        for (const std::string_view part : splitAtExtensions(withoutComment(statement))) {
+            if (read(std::string(withoutQuotes(part))))
+                continue;
+            for (const std::string& name : splitAtBlanks(part))
+                if (!read(name))
+                    missing_.push_back(name);
+        }
+    }
+
+    /// Those that were read, in the order of their first mention.
+    std::vector<const MtlFile*> takeRead() { return std::move(read_); }
+    std::vector<std::string> takeMissing() { return std::move(missing_); }
+
+private:
+    bool read(const std::string& name) {
+        const auto path = name.empty() ? std::nullopt : findFile(directory_, name);
+        if (!path)
+            return false;
+        std::shared_ptr<const MtlFile>& file = files_.byPath[truePath(*path)];
+        try {
+            if (!file)
+                file = readMtl(*path, context_);
+        } catch (const SceneError&) {
+            return false;
+        }
+        if (known_.insert(file.get()).second)
+            read_.push_back(file.get());
+        return true;
+    }
+
+    const std::filesystem::path& directory_;
+    MtlFiles& files_;
+    ReadContext& context_;
+    std::vector<const MtlFile*> read_;
+    std::set<const MtlFile*> known_;
+    std::vector<std::string> missing_;
+};
+
+std::shared_ptr<const MtlIndex> makeIndex(const std::vector<const MtlFile*>& files) {
+    auto index = std::make_shared<MtlIndex>();
+    for (const MtlFile* file : files)
+        for (const auto& [name, material] : file->materials)
+            for (const std::string_view reading : readingsOf(name))
+                if (!reading.empty())
+                    (reading == name ? index->byName : index->byReading)
+                        .try_emplace(reading, NamedMtl{name, &material});
+    return index;
+}
+
 } // namespace
 
 MtlLibrary::MtlLibrary(std::span<const std::string> statements,
                        const std::filesystem::path& directory, MtlFiles& files,
                        ReadContext& context) {
+    LibraryReader reader(directory, files, context);
     std::set<std::string_view> seen;
     for (const std::string& statement : statements)
         if (seen.insert(statement).second)
-            readAll(statement, directory, files, context);
+            reader.readStatement(statement);
+    missing_ = reader.takeMissing();
+    const std::vector<const MtlFile*> read = reader.takeRead();
+    std::shared_ptr<const MtlIndex>& index = files.indices[read];
+    if (!index)
+        index = makeIndex(read);
+    index_ = index;
 }
 
-/// Most exporters do not escape blanks in names: the whole may be one name, or each part up to an
-/// extension.
-void MtlLibrary::readAll(std::string_view statement, const std::filesystem::path& directory,
-                         MtlFiles& files, ReadContext& context) {
-    for (const std::string_view reading : readingsOf(statement))
-        if (read(std::string(reading), directory, files, context))
-            return;
-    for (const std::string_view part : splitAtExtensions(withoutComment(statement))) {
-        if (read(std::string(withoutQuotes(part)), directory, files, context))
-            continue;
-        for (const std::string& name : splitAtBlanks(part))
-            if (!read(name, directory, files, context))
-                missing_.push_back(name);
-    }
-}
-
-bool MtlLibrary::read(const std::string& name, const std::filesystem::path& directory,
-                      MtlFiles& files, ReadContext& context) {
-    const auto path = name.empty() ? std::nullopt : findFile(directory, name);
-    if (!path)
-        return false;
-    std::shared_ptr<const MtlFile>& file = files[truePath(*path)];
-    try {
-        if (!file)
-            file = readMtl(*path, context);
-    } catch (const SceneError&) {
-        return false;
-    }
-    if (files_.insert(file).second)
-        add(*file);
-    return true;
-}
-
-void MtlLibrary::add(const MtlFile& file) {
-    for (const auto& [name, material] : file.materials) {
-        for (const std::string_view reading : readingsOf(name))
-            if (!reading.empty())
-                (reading == name ? byName_ : byReading_)
-                    .try_emplace(reading, Found{name, &material});
-    }
-}
-
-MtlLibrary::Found MtlLibrary::find(std::string_view text) const {
+NamedMtl MtlLibrary::find(std::string_view text) const {
     const std::vector<std::string_view> readings = readingsOf(text);
-    for (const Index* index : {&byName_, &byReading_})
+    for (const MtlIndex::Names* names : {&index_->byName, &index_->byReading})
         for (const std::string_view reading : readings)
-            if (const auto found = index->find(reading); found != index->end())
+            if (const auto found = names->find(reading); found != names->end())
                 return found->second;
     return {withoutQuotes(withoutComment(text)), nullptr};
 }
 
 std::vector<std::string> MtlLibrary::names() const {
     std::vector<std::string> names;
-    for (const auto& [name, unused] : byName_)
+    for (const auto& [name, unused] : index_->byName)
         names.emplace_back(name);
     std::ranges::sort(names);
     return names;

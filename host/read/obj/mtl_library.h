@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,25 +14,37 @@
 
 namespace calotype {
 
-/// MTL files that have been read, by their true paths.
-using MtlFiles = std::map<std::string, std::shared_ptr<const MtlFile>>;
+/// A material and its name, as in its MTL file.
+struct NamedMtl {
+    std::string_view name;
+    const MtlMaterial* material = nullptr;
+};
 
-/// The MTL files of an OBJ together; the first definition of a name is used.
+/// The materials of some MTL files by name. The first definition of a name is used.
+struct MtlIndex {
+    using Names = std::unordered_map<std::string_view, NamedMtl>;
+
+    Names byName;
+    Names byReading; ///< by the other readings of names, see readingsOf
+};
+
+/// MTL files that have been read, for all OBJ files together.
+struct MtlFiles {
+    std::map<std::string, std::shared_ptr<const MtlFile>> byPath; ///< true paths
+    std::map<std::vector<const MtlFile*>, std::shared_ptr<const MtlIndex>> indices;
+};
+
+/// The MTL files of an OBJ together.
 class MtlLibrary {
 public:
-    struct Found {
-        std::string_view name; ///< as in its MTL file
-        const MtlMaterial* material;
-    };
-
     /// `statements` are what follows each "mtllib" of an OBJ in `directory`. Each file is read,
-    /// hashed and remarked on once for all libraries with the same `files`.
+    /// hashed and remarked on once for all libraries with the same `files`, which must live longer.
     MtlLibrary(std::span<const std::string> statements, const std::filesystem::path& directory,
                MtlFiles& files, ReadContext& context);
 
     /// The material that `text`, the end of a "usemtl", means (see readingsOf); its `material` is
     /// nullptr if it is not defined.
-    Found find(std::string_view text) const;
+    NamedMtl find(std::string_view text) const;
 
     /// All names, as written.
     std::vector<std::string> names() const;
@@ -42,18 +53,8 @@ public:
     const std::vector<std::string>& missing() const { return missing_; }
 
 private:
-    bool read(const std::string& name, const std::filesystem::path& directory, MtlFiles& files,
-              ReadContext& context);
-    void readAll(std::string_view statement, const std::filesystem::path& directory,
-                 MtlFiles& files, ReadContext& context);
-    void add(const MtlFile& file);
-
-    using Index = std::unordered_map<std::string_view, Found>;
-
-    std::set<std::shared_ptr<const MtlFile>> files_;
-    Index byName_;
-    Index byReading_; ///< by the other readings of names
     std::vector<std::string> missing_;
+    std::shared_ptr<const MtlIndex> index_;
 };
 
 } // namespace calotype
