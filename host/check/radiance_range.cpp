@@ -2,15 +2,14 @@
 
 #include "base/error.h"
 #include "check/emitters.h"
+#include "scene/ranges.h"
 
 namespace calotype {
 
 void requireRadianceInRange(const Scene& scene) {
-    constexpr double kFaintest = 1e-30;
-    constexpr double kBrightest = 1e30;
     for (const Emitter& emitter : emittersOf(scene)) {
         const double largest = emitter.brightest;
-        if (largest > kBrightest || (largest > 0.0 && largest < kFaintest)) {
+        if (largest != 0.0 && !ranges::kEmitter.contains(largest)) {
             throw SceneError(emitter.place,
                              emitter.subject +
                                  "emits a radiance that is neither 0 nor from 1e-30 to 1e30 "

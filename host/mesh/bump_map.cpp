@@ -10,6 +10,8 @@ namespace calotype {
 namespace {
 
 constexpr double kGreyTolerance = 0.05;
+constexpr double kMostMeanTilt = 0.1;
+constexpr double kLeastMeanZ = 0.55;
 
 /// With floats, because a flat surface has no exact code in bytes.
 TexelImage emptyNormalMap(const TexelImage& image) {
@@ -38,6 +40,12 @@ bool isGrey(const TexelImage& image) {
         sum += high - low;
     }
     return sum <= kGreyTolerance * static_cast<double>(image.texelCount());
+}
+
+bool looksLikeNormals(const TexelImage& image) {
+    const glm::dvec3 mean = 2.0 * meanColor(image, false) - 1.0;
+    return std::abs(mean.x) < kMostMeanTilt && std::abs(mean.y) < kMostMeanTilt &&
+           mean.z > kLeastMeanZ;
 }
 
 TexelImage normalMapFromHeights(const TexelImage& heights, TexelChannel channel, double steepness) {

@@ -22,6 +22,8 @@ inline constexpr Range kLensRadius = atLeast(0.0);
 inline constexpr Range kShare = closedRange(0.0, 1.0);
 /// W/(m^2 sr), or W, of each channel.
 inline constexpr Range kRadiance = atLeast(0.0);
+/// W/(m^2 sr) of the brightest channel of an emitter, if it is not 0: kernels compute in floats.
+inline constexpr Range kEmitter = closedRange(1e-30, 1e30);
 /// Far beyond any real material's; the square of a ratio stays within float.
 inline constexpr Range kIndexOfRefraction = closedRange(0.01, 100.0);
 

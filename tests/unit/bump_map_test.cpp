@@ -96,6 +96,20 @@ TEST(BumpMapTest, SteepensNormals) {
     EXPECT_EQ(none[2], 1.0);
 }
 
+TEST(BumpMapTest, NormalMapsHaveTheMeanOfNormals) {
+    EXPECT_TRUE(looksLikeNormals(imageOfColor(0.5f, 0.5f, 1.0f)));
+    EXPECT_TRUE(looksLikeNormals(imageOfColor(0.54f, 0.46f, 0.78f)));
+    EXPECT_FALSE(looksLikeNormals(imageOfColor(0.56f, 0.5f, 1.0f))); // x is 0.12
+    EXPECT_FALSE(looksLikeNormals(imageOfColor(0.5f, 0.44f, 1.0f)));
+    EXPECT_FALSE(looksLikeNormals(imageOfColor(0.5f, 0.5f, 0.77f))); // z is 0.54
+    EXPECT_FALSE(looksLikeNormals(imageOfColor(0.8f, 0.6f, 0.4f)));
+    TexelImage bytes;
+    bytes.width = bytes.height = 1;
+    bytes.bytes = {128, 128, 250, 255};
+    bytes.isEncoded = true; // as all images of bytes; normals are not decoded
+    EXPECT_TRUE(looksLikeNormals(bytes));
+}
+
 TEST(BumpMapTest, SeparatesHeightsFromNormals) {
     EXPECT_TRUE(isGrey(imageOfColor(0.3f, 0.3f, 0.3f)));
     EXPECT_TRUE(isGrey(imageOfColor(0.30f, 0.33f, 0.31f))); // a JPEG's noise

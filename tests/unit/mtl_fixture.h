@@ -22,7 +22,7 @@ protected:
 
     /// Loads a mesh whose only material has these statements.
     Scene load(const std::string& statements, const LoadOptions& options = {}) {
-        files_.write("m.mtl", "newmtl a\n" + statements);
+        files_.write("m.mtl", firstLine_ + "newmtl a\n" + statements);
         return files_.load(sceneWithShape(R"({"type": "mesh", "file": "m.obj"})"), options);
     }
 
@@ -34,20 +34,25 @@ protected:
         return scene.materials.at(1);
     }
 
-    /// Its material, where a warning that contains `remark` is due.
+    /// Its material, where a warning about the OBJ or the MTL that starts with `remark` is due.
     Material remarkedMaterialOf(const std::string& statements, const std::string& remark) {
         const Scene scene = load(statements);
-        const bool found = std::ranges::any_of(scene.warnings, [&](const std::string& warning) {
-            return warning.find("m.obj: " + remark) != std::string::npos;
-        });
-        EXPECT_TRUE(found) << "no warning says: " << remark;
+        EXPECT_TRUE(hasWarning(scene, "m.obj: " + remark) || hasWarning(scene, "m.mtl: " + remark))
+            << "no warning says: " << remark;
         return scene.materials.at(1);
+    }
+
+    static bool hasWarning(const Scene& scene, const std::string& fragment) {
+        return std::ranges::any_of(scene.warnings, [&](const std::string& warning) {
+            return warning.find(fragment) != std::string::npos;
+        });
     }
 
     SceneError errorOfLoading(const std::string& statements) {
         return errorOf([&] { load(statements); });
     }
 
+    std::string firstLine_; ///< of the MTL file, with its line end
     SceneFiles files_;
 };
 

@@ -61,8 +61,11 @@ TEST_F(MtlMapsTest, BumpMapsAreHeightsOrNormals) {
         const auto image = imageOf(std::string(keyword) + " normals.png\n");
         ASSERT_EQ(image->bytes.size(), 16u) << keyword; // as it is
         EXPECT_EQ(image->bytes[2], 255);
-        EXPECT_EQ(imageOf(std::string(keyword) + " grey.png\n")->floats.size(), 16u) << keyword;
     }
+    for (const char* keyword : {"map_Bump", "map_bump", "bump"})
+        EXPECT_EQ(imageOf(std::string(keyword) + " grey.png\n")->floats.size(), 16u) << keyword;
+    EXPECT_EQ(imageOf("norm grey.png\n")->bytes[0], 60); // always as it is
+    EXPECT_EQ(imageOf("norm red.png\n")->bytes[0], 255);
     files_.write(
         "step.png",
         pngOf(4, 1, {{0, 0, 0, 255}, {0, 0, 0, 255}, {255, 255, 255, 255}, {255, 255, 255, 255}}));
@@ -71,6 +74,70 @@ TEST_F(MtlMapsTest, BumpMapsAreHeightsOrNormals) {
     EXPECT_NEAR(steep->floats[4 * 1], 0.5 - 0.5 * std::sqrt(0.5), 1e-6);
     EXPECT_EQ(imageOf("bump -bm 2 normals.png\n")->floats.size(), 16u); // steepened
     EXPECT_EQ(imageOf("bump grey.png\nnorm normals.png\n")->bytes.size(), 16u);
+}
+
+// Photographs are often named as bump maps. Their heights are their luminance, of which green has a
+// share of 0.7152 (ITU-R BT.709).
+TEST_F(MtlMapsTest, ColouredBumpMapsThatCannotBeNormalsAreHeights) {
+    files_.write(
+        "brick.png",
+        pngOf(4, 1, {{200, 0, 0, 255}, {200, 0, 0, 255}, {200, 255, 0, 255}, {200, 255, 0, 255}}));
+    const std::string remark = "a coloured picture of bump, which does not look like a normal map, "
+                               "was read as heights in \"a\"";
+    const Scene scene = load("bump -bm 2 brick.png\n");
+    EXPECT_TRUE(hasWarning(scene, remark));
+    const auto imageOf = [](const Scene& of) {
+        const auto& source = of.textures.at(of.materials.at(1).normalMap).source;
+        return std::get<ImageTexture>(source).image;
+    };
+    const double x = 2.0 * imageOf(scene)->floats[4 * 1] - 1.0;
+    EXPECT_NEAR(x, -0.7152 / std::sqrt(1.0 + 0.7152 * 0.7152), 1e-6);
+    // One channel, where the statement names it.
+    const auto red = imageOf(load("bump -bm 2 -imfchan r brick.png\n"));
+    EXPECT_NEAR(red->floats[4 * 1], 0.5, 1e-6);
+}
+
+TEST_F(MtlMapsTest, OptionsOutOfRangeOrUnreadableDoNotStopTheModel) {
+    remarkedMaterialOf("map_Kd -s 1e30 red.png\n",
+                       "texture statements with numbers out of range, which were limited: 1");
+    const Material bad =
+        remarkedMaterialOf("Kd 0.25\nmap_Kd -bm x red.png\n",
+                           "texture statements whose options cannot be read, which were ignored: "
+                           "1 (line 3)");
+    EXPECT_EQ(bad.colorTexture, Material::kNoTexture);
+    EXPECT_EQ(bad.color, glm::dvec3(0.25));
+    EXPECT_EQ(remarkedMaterialOf("Kd 0.25\nmap_Kd\n", "texture statements without a file name")
+                  .colorTexture,
+              Material::kNoTexture);
+    files_.write("noise.png", pngOf(3, 1, {{0, 0, 0, 255}, {9, 9, 9, 255}, {90, 90, 90, 255}}));
+    for (const char* factor : {"1e300", "-1e300"}) {
+        const Scene steep = load(std::string("bump -bm ") + factor + " noise.png\n");
+        const auto& source = steep.textures.at(steep.materials.at(1).normalMap).source;
+        const auto& floats = std::get<ImageTexture>(source).image->floats;
+        EXPECT_NEAR(std::abs(2.0 * floats[0] - 1.0), 1.0, 1e-6); // nearly along the surface
+    }
+}
+
+// A '#' after a blank starts a comment unless it belongs to the name of a file.
+TEST_F(MtlMapsTest, CommentsBehindNamesAreLeftOut) {
+    files_.write("wood #2.png", pngOf({0, 0, 255, 255}));
+    const auto firstTexel = [&](const std::string& statements) {
+        const Scene scene = load(statements);
+        const auto& source = scene.textures.at(scene.materials.at(1).colorTexture).source;
+        const auto& bytes = std::get<ImageTexture>(source).image->bytes;
+        return glm::dvec3(bytes[0], bytes[1], bytes[2]);
+    };
+    const glm::dvec3 red(255.0, 0.0, 0.0);
+    const glm::dvec3 blue(0.0, 0.0, 255.0);
+    for (const char* name :
+         {"red.png", "red.png # the best", "red.png #best", "red.png\t#", "\"red.png\" # quoted",
+          "red.png\t", "red.png -bm 2 # steep", "-bm 1 red.png #2 of 3.png"})
+        EXPECT_EQ(firstTexel(std::string("map_Kd ") + name + "\n"), red) << name;
+    for (const char* name : {"wood #2.png", "wood #2.png # the best", "\"wood #2.png\"",
+                             "-s 1 1 wood #2.png", "wood #2.png\r"})
+        EXPECT_EQ(firstTexel(std::string("map_Kd ") + name + "\n"), blue) << name;
+    expectError(errorOfLoading("map_Kd rad.png # a colour\n"), "m.mtl:2", "file \"rad.png\"");
+    expectError(errorOfLoading("map_Kd steel #2.png\n"), "m.mtl:2", "file \"steel #2.png\"");
 }
 
 TEST_F(MtlMapsTest, MapKeMultipliesKeByItsMean) {

@@ -33,8 +33,10 @@ std::vector<JsonKey> meshKeys() {
         JsonKey("material", materialNameType(),
                 "The material of the whole mesh. With neither this nor materials, the OBJ's MTL "
                 "files are read."),
-        JsonKey("materials", mapType(materialNameType()),
-                "Materials of the scene by the OBJ's own names; \"*\" stands for every other."),
+        JsonKey(
+            "materials", mapType(materialNameType()),
+            "Materials of the scene by the OBJ's own names; \"*\" stands for every other. Without "
+            "it, the others are those of the MTL files."),
         JsonKey("normals", choiceType(kNormalModes),
                 "auto: the file's where it has them, else flat. smooth: the area-weighted mean at "
                 "each position.")

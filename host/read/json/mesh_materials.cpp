@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
+#include <string_view>
 
 #include <nlohmann/json.hpp>
 
 #include "base/names.h"
 #include "read/json/materials.h"
-#include "read/obj/mtl_library.h"
+#include "read/obj/obj_materials.h"
+#include "read/obj/readings.h"
 
 namespace calotype {
 namespace {
@@ -19,39 +22,51 @@ std::string listOf(const ObjFile& obj) {
                                      : "its faces have " + listInQuotes(obj.materialNames);
 }
 
-std::vector<uint32_t> resolveByName(const JsonValue& map, const ObjFile& obj,
-                                    const std::string& objPath, const JsonContext& context) {
-    if (!map.json().is_object())
-        map.fail("must be an object from the OBJ's material names to materials of the scene");
-    const auto& names = obj.materialNames;
+/// For each of the OBJ's materials the key of `map` that names it (see readingsOf), if there is
+/// one.
+std::vector<std::optional<std::string>> keysOf(const JsonValue& map, const ObjFile& obj,
+                                               const std::string& objPath) {
+    std::set<std::string_view> known;
+    std::vector<std::optional<std::string>> keys;
+    for (const std::string& name : obj.materialNames) {
+        auto& key = keys.emplace_back();
+        for (const std::string_view reading : readingsOf(name)) {
+            known.insert(reading);
+            if (!key && map.json().contains(reading))
+                key = reading;
+        }
+    }
     for (const auto& [key, unused] : map.json().items()) {
-        if (key != kEveryOther && std::find(names.begin(), names.end(), key) == names.end()) {
+        if (key != kEveryOther && !known.contains(key)) {
             map.child(key).fail("no face of " + inQuotes(objPath) + " has the material " +
                                 inQuotes(key) + "; " + listOf(obj));
         }
     }
-    std::optional<uint32_t> everyOther;
-    if (map.json().contains(kEveryOther))
-        everyOther = findMaterial(map.child(kEveryOther), context);
-    std::vector<uint32_t> result;
-    for (const std::string& name : names) {
-        if (map.json().contains(name)) {
-            result.push_back(findMaterial(map.child(name), context));
-        } else if (everyOther) {
-            result.push_back(*everyOther);
-        } else {
-            map.fail("does not say what " + inQuotes(name) +
-                     " becomes (\"*\" stands for every "
-                     "other); " +
-                     listOf(obj));
+    return keys;
+}
+
+std::vector<uint32_t> resolveByName(const JsonValue& map, const ObjFile& obj,
+                                    const std::string& objPath, JsonContext& context) {
+    if (!map.json().is_object())
+        map.fail("must be an object from the OBJ's material names to materials of the scene");
+    std::vector<std::optional<std::string>> keys = keysOf(map, obj, objPath);
+    keys.emplace_back(); // of faces without a material
+    NeededMaterials needed = allMaterials(obj);
+    std::vector<uint32_t> given(keys.size());
+    for (size_t i = 0; i < keys.size(); ++i) {
+        const std::string key = keys[i].value_or(kEveryOther);
+        if (map.json().contains(key)) {
+            given[i] = findMaterial(map.child(key), context);
+            needed[i] = false;
         }
     }
-    if (obj.hasFacesWithoutMaterial && !everyOther) {
-        map.fail("some faces of " + inQuotes(objPath) +
-                 " have no material; add \"*\", which stands for these too");
-    }
-    result.push_back(everyOther.value_or(0));
-    return result;
+    if (std::ranges::find(needed, true) == needed.end())
+        return given;
+    const auto others = materialsFromMtl(obj, objPath, needed, context.objs, context);
+    for (size_t i = 0; i < keys.size(); ++i)
+        if (needed[i])
+            given[i] = others[i];
+    return given;
 }
 
 } // namespace
@@ -62,7 +77,7 @@ std::vector<uint32_t> resolveMeshMaterials(const JsonObject& mesh, const ObjFile
         return {findMaterial(*material, context)};
     if (const auto materials = mesh.optional("materials"))
         return resolveByName(*materials, obj, objPath, context);
-    return materialsFromMtl(obj, objPath, UndefinedMaterials::Fail, context.objs, context);
+    return materialsFromMtl(obj, objPath, allMaterials(obj), context.objs, context);
 }
 
 } // namespace calotype

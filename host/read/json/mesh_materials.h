@@ -11,8 +11,7 @@ namespace calotype {
 
 /// The index in Scene::materials for each of the OBJ's materials and, last, for faces without a
 /// material: from the mesh's "material", else its "materials", else the OBJ's MTL files (relative
-/// to `objPath`). Throws SceneError for keys that match no face, for faces that no key matches, and
-/// for materials that no MTL file defines.
+/// to `objPath`). Throws SceneError for keys that match no face.
 std::vector<uint32_t> resolveMeshMaterials(const JsonObject& mesh, const ObjFile& obj,
                                            const std::string& objPath, JsonContext& context);
 

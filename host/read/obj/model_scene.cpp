@@ -14,7 +14,7 @@
 #include "math/bounds.h"
 #include "math/rotation.h"
 #include "read/frame_camera.h"
-#include "read/obj/mtl_library.h"
+#include "read/obj/obj_materials.h"
 #include "read/obj/obj_mesh.h"
 #include "read/read_context.h"
 
@@ -85,12 +85,12 @@ ModelExtent extentOf(const Mesh& mesh, const std::string& path) {
 Shape readModel(const std::string& path, ReadContext& context) {
     ObjCache cache;
     const std::shared_ptr<const ObjFile> obj = readObj(path, path, cache, context);
-    const ObjMeshInput input{
-        .path = path,
-        .where = path,
-        .materials = materialsFromMtl(*obj, path, UndefinedMaterials::Grey, cache, context),
-        .displacements = {},
-        .worldFromObject = {}};
+    const ObjMeshInput input{.path = path,
+                             .where = path,
+                             .materials =
+                                 materialsFromMtl(*obj, path, allMaterials(*obj), cache, context),
+                             .displacements = {},
+                             .worldFromObject = {}};
     return {.geometry = buildObjMesh(*obj, input, context), .place = path};
 }
 

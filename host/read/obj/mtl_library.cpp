@@ -1,23 +1,32 @@
 #include "read/obj/mtl_library.h"
 
+#include <algorithm>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include "base/error.h"
 #include "base/find_file.h"
-#include "base/names.h"
+#include "base/lowercase.h"
 #include "base/read_file.h"
-#include "read/obj/mtl_material.h"
+#include "base/text_cursor.h"
+#include "read/obj/readings.h"
 
 namespace calotype {
 namespace {
 
-/// The names in a "mtllib" statement, separated by blanks; a backslash escapes the next character.
-std::vector<std::string> splitNames(const std::string& text) {
+constexpr std::string_view kExtension = ".mtl";
+
+/// Names separated by blanks, which quotes may surround; a backslash escapes the next character.
+std::vector<std::string> splitAtBlanks(std::string_view text) {
     std::vector<std::string> names(1);
+    bool quoted = false;
     for (size_t i = 0; i < text.size(); ++i)
         if (text[i] == '\\' && i + 1 < text.size())
             names.back() += text[++i];
-        else if (text[i] == ' ' || text[i] == '\t')
+        else if (text[i] == '"')
+            quoted = !quoted;
+        else if (isBlank(text[i]) && !quoted)
             names.emplace_back();
         else
             names.back() += text[i];
@@ -25,128 +34,133 @@ std::vector<std::string> splitNames(const std::string& text) {
     return names;
 }
 
-/// All MTL files of an OBJ together; the first definition of a name is used.
-class MtlLibrary {
+/// Cuts a text behind each ".mtl", with a quote or not, that a blank follows.
+std::vector<std::string_view> splitAtExtensions(std::string_view text) {
+    std::vector<std::string_view> names;
+    const std::string lower = lowercase(text);
+    size_t start = 0;
+    for (size_t at = lower.find(kExtension); at != lower.npos; at = lower.find(kExtension, at)) {
+        at += kExtension.size();
+        const size_t end = at + (at < text.size() && text[at] == '"' ? 1 : 0);
+        if (end < text.size() && isBlank(text[end])) {
+            names.push_back(trimmed(text.substr(start, end - start)));
+            start = end;
+        }
+    }
+    names.push_back(trimmed(text.substr(start)));
+    return names;
+}
+
+std::string truePath(const std::filesystem::path& path) {
+    std::error_code error;
+    const std::filesystem::path result = std::filesystem::canonical(path, error);
+    return error ? path.string() : result.string();
+}
+
+std::shared_ptr<const MtlFile> readMtl(const std::filesystem::path& path, ReadContext& context) {
+    context.progress(path, 0.0);
+    const std::string text = readFile(path.string(), path.string());
+    context.hash.add(text);
+    auto file = std::make_shared<const MtlFile>(parseMtl(text, path.string()));
+    for (const auto& [remark, occurrences] : file->remarks)
+        context.warn(path.string(), remark + ": " + occurrences.text());
+    return file;
+}
+
+/// Finds and reads the files that "mtllib" statements name.
+class LibraryReader {
 public:
-    MtlLibrary(const ObjFile& obj, const std::filesystem::path& directory, ReadContext& context) {
-        for (const std::string& library : obj.libraries) {
-            // Many exporters do not escape blanks in names.
-            if (const auto path = findFile(directory, library)) {
-                read(*path, context);
+    LibraryReader(const std::filesystem::path& directory, MtlFiles& files, ReadContext& context)
+        : directory_(directory), files_(files), context_(context) {}
+
+    /// Most exporters do not escape blanks in names: the whole may be one name, or each part up to
+    /// an extension.
+    void readStatement(std::string_view statement) {
+        for (const std::string_view reading : readingsOf(statement))
+            if (read(std::string(reading)))
+                return;
+        for (const std::string_view part : splitAtExtensions(withoutComment(statement))) {
+            if (read(std::string(withoutQuotes(part))))
                 continue;
-            }
-            for (const std::string& name : splitNames(library))
-                if (const auto path = findFile(directory, name))
-                    read(*path, context);
-                else
+            for (const std::string& name : splitAtBlanks(part))
+                if (!read(name))
                     missing_.push_back(name);
         }
     }
 
-    /// nullptr if the material is not defined.
-    const MtlMaterial* find(const std::string& name) const {
-        const auto found = materials_.find(name);
-        return found != materials_.end() ? &found->second : nullptr;
-    }
-
-    [[noreturn]] void failUndefined(const std::string& name, const std::string& where) const {
-        std::vector<std::string> known;
-        for (const auto& [knownName, unused] : materials_)
-            known.push_back(knownName);
-        throw SceneError(where, "the material " + inQuotes(name) + " is not defined" +
-                                    (missing_.empty() ? suggestion(name, known)
-                                                      : "; cannot read " + listInQuotes(missing_)) +
-                                    "; name materials of the scene with \"material\" or "
-                                    "\"materials\" instead");
-    }
-
-    void warnOfMissing(const std::string& where, ReadContext& context) const {
-        if (!missing_.empty())
-            context.warn(where, "cannot read " + listInQuotes(missing_));
-    }
+    /// Those that were read, in the order of their first mention.
+    std::vector<const MtlFile*> takeRead() { return std::move(read_); }
+    std::vector<std::string> takeMissing() { return std::move(missing_); }
 
 private:
-    void read(const std::filesystem::path& path, ReadContext& context) {
-        const std::string text = readFile(path.string(), path.string());
-        context.hash.add(text);
-        materials_.merge(parseMtl(text, path.string()));
+    bool read(const std::string& name) {
+        const auto path = name.empty() ? std::nullopt : findFile(directory_, name);
+        if (!path)
+            return false;
+        std::shared_ptr<const MtlFile>& file = files_.byPath[truePath(*path)];
+        try {
+            if (!file)
+                file = readMtl(*path, context_);
+        } catch (const SceneError&) {
+            return false;
+        }
+        if (known_.insert(file.get()).second)
+            read_.push_back(file.get());
+        return true;
     }
 
-    std::map<std::string, MtlMaterial> materials_;
+    const std::filesystem::path& directory_;
+    MtlFiles& files_;
+    ReadContext& context_;
+    std::vector<const MtlFile*> read_;
+    std::set<const MtlFile*> known_;
     std::vector<std::string> missing_;
 };
 
-/// Statements, and options of textures, that have no effect.
-struct Ignored {
-    std::set<std::string> statements;
-    std::set<std::string> options;
-
-    void add(const MtlMaterial& mtl) {
-        statements.insert(mtl.unsupported.begin(), mtl.unsupported.end());
-        for (const auto* map : {&mtl.diffuseMap, &mtl.alphaMap, &mtl.bumpMap, &mtl.normalMap,
-                                &mtl.roughnessMap, &mtl.emissionMap}) {
-            if (*map)
-                options.insert((*map)->ignored.begin(), (*map)->ignored.end());
-        }
-    }
-
-    void warn(const std::string& where, ReadContext& context) const {
-        const auto warnOf = [&](const char* what, const std::set<std::string>& names) {
-            if (!names.empty()) {
-                const std::vector<std::string> list(names.begin(), names.end());
-                context.warn(where,
-                             std::string("these MTL ") + what +
-                                 " are not supported yet and were ignored: " + listInQuotes(list));
-            }
-        };
-        warnOf("statements", statements);
-        warnOf("texture options", options);
-    }
-};
+std::shared_ptr<const MtlIndex> makeIndex(const std::vector<const MtlFile*>& files) {
+    auto index = std::make_shared<MtlIndex>();
+    for (const MtlFile* file : files)
+        for (const auto& [name, material] : file->materials)
+            for (const std::string_view reading : readingsOf(name))
+                if (!reading.empty())
+                    (reading == name ? index->byName : index->byReading)
+                        .try_emplace(reading, NamedMtl{name, &material});
+    return index;
+}
 
 } // namespace
 
-std::vector<uint32_t> materialsFromMtl(const ObjFile& obj, const std::string& objPath,
-                                       UndefinedMaterials undefined, ObjCache& cache,
-                                       ReadContext& context) {
-    std::vector<uint32_t>& result = cache.mtlMaterials[objPath];
-    if (!result.empty())
-        return result;
-    const std::filesystem::path path(objPath);
-    const std::string prefix = path.filename().string() + ":";
-    Material plain;
-    plain.name = prefix;
-    plain.place = objPath;
-    plain.color = glm::dvec3(kUnstatedColor);
+MtlLibrary::MtlLibrary(std::span<const std::string> statements,
+                       const std::filesystem::path& directory, MtlFiles& files,
+                       ReadContext& context) {
+    LibraryReader reader(directory, files, context);
+    std::set<std::string_view> seen;
+    for (const std::string& statement : statements)
+        if (seen.insert(statement).second)
+            reader.readStatement(statement);
+    missing_ = reader.takeMissing();
+    const std::vector<const MtlFile*> read = reader.takeRead();
+    std::shared_ptr<const MtlIndex>& index = files.indices[read];
+    if (!index)
+        index = makeIndex(read);
+    index_ = index;
+}
 
-    MtlNotes notes;
-    Ignored ignored;
-    if (!obj.materialNames.empty()) {
-        const MtlLibrary library(obj, path.parent_path(), context);
-        MtlMaps maps(context);
-        for (size_t i = 0; i < obj.materialNames.size(); ++i) {
-            const std::string& name = obj.materialNames[i];
-            const MtlMaterial* mtl = library.find(name);
-            Material material = plain;
-            if (mtl != nullptr) {
-                material = materialFromMtl(*mtl, name, maps, notes);
-                ignored.add(*mtl);
-            } else if (undefined == UndefinedMaterials::Grey) {
-                notes.add("a neutral grey stands for the undefined material", name);
-            } else {
-                library.failUndefined(name, objPath + ":" + std::to_string(obj.materialLines[i]));
-            }
-            material.name = prefix + name;
-            material.place = objPath;
-            result.push_back(context.addMaterial(material));
-        }
-        if (undefined == UndefinedMaterials::Grey)
-            library.warnOfMissing(objPath, context);
-    }
-    result.push_back(obj.hasFacesWithoutMaterial ? context.addMaterial(plain) : 0);
-    notes.warn(objPath, context);
-    ignored.warn(objPath, context);
-    return result;
+NamedMtl MtlLibrary::find(std::string_view text) const {
+    const std::vector<std::string_view> readings = readingsOf(text);
+    for (const MtlIndex::Names* names : {&index_->byName, &index_->byReading})
+        for (const std::string_view reading : readings)
+            if (const auto found = names->find(reading); found != names->end())
+                return found->second;
+    return {withoutQuotes(withoutComment(text)), nullptr};
+}
+
+std::vector<std::string> MtlLibrary::names() const {
+    std::vector<std::string> names;
+    for (const auto& [name, unused] : index_->byName)
+        names.emplace_back(name);
+    std::ranges::sort(names);
+    return names;
 }
 
 } // namespace calotype

@@ -1,25 +1,60 @@
 #pragma once
 
-#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <span>
 #include <string>
+#include <string_view>
+#include <unordered_map>
 #include <vector>
 
-#include "read/obj/obj_cache.h"
+#include "read/obj/mtl_file.h"
 #include "read/read_context.h"
 
 namespace calotype {
 
-/// What to do with a material that no MTL file defines.
-enum class UndefinedMaterials : uint8_t {
-    Fail, ///< throw SceneError at "OBJPATH:LINE"
-    Grey, ///< use the grey of faces without a material, with a warning
+/// A material and its name, as in its MTL file.
+struct NamedMtl {
+    std::string_view name;
+    const MtlMaterial* material = nullptr;
 };
 
-/// Adds the materials of the OBJ's MTL files to Scene::materials, once for each OBJ. Returns one
-/// index for each of ObjFile::materialNames and, last, one for faces without a material, which are
-/// a grey of 0.5.
-std::vector<uint32_t> materialsFromMtl(const ObjFile& obj, const std::string& objPath,
-                                       UndefinedMaterials undefined, ObjCache& cache,
-                                       ReadContext& context);
+/// The materials of some MTL files by name. The first definition of a name is used.
+struct MtlIndex {
+    using Names = std::unordered_map<std::string_view, NamedMtl>;
+
+    Names byName;
+    Names byReading; ///< by the other readings of names, see readingsOf
+};
+
+/// MTL files that have been read, for all OBJ files together.
+struct MtlFiles {
+    std::map<std::string, std::shared_ptr<const MtlFile>> byPath; ///< true paths
+    std::map<std::vector<const MtlFile*>, std::shared_ptr<const MtlIndex>> indices;
+};
+
+/// The MTL files of an OBJ together.
+class MtlLibrary {
+public:
+    /// `statements` are what follows each "mtllib" of an OBJ in `directory`. Each file is read,
+    /// hashed and remarked on once for all libraries with the same `files`, which must live longer.
+    MtlLibrary(std::span<const std::string> statements, const std::filesystem::path& directory,
+               MtlFiles& files, ReadContext& context);
+
+    /// The material that `text`, the end of a "usemtl", means (see readingsOf); its `material` is
+    /// nullptr if it is not defined.
+    NamedMtl find(std::string_view text) const;
+
+    /// All names, as written.
+    std::vector<std::string> names() const;
+
+    /// Names of files that do not exist or cannot be read.
+    const std::vector<std::string>& missing() const { return missing_; }
+
+private:
+    std::vector<std::string> missing_;
+    std::shared_ptr<const MtlIndex> index_;
+};
 
 } // namespace calotype

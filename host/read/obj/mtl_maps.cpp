@@ -9,19 +9,20 @@
 namespace calotype {
 namespace {
 
-bool areEqual(const Texture& a, const Texture& b) {
-    const auto* imageA = std::get_if<ImageTexture>(&a.source);
-    const auto* imageB = std::get_if<ImageTexture>(&b.source);
-    return imageA != nullptr && imageB != nullptr && imageA->image == imageB->image &&
-           imageA->wrap == imageB->wrap && imageA->filter == imageB->filter &&
-           imageA->decodesColor == imageB->decodesColor && a.scale == b.scale &&
-           a.offset == b.offset;
+MtlMapCache::Key keyOf(const Texture& texture, const ImageTexture& image) {
+    return {image.image.get(), image.wrap,      image.filter,     image.decodesColor,
+            texture.scale.x,   texture.scale.y, texture.offset.x, texture.offset.y};
 }
 
-TexelImage normalMapOf(const TexelImage& image, const MtlTexture& map) {
-    return isGrey(image) ? normalMapFromHeights(image, map.channel.value_or(TexelChannel::Red),
-                                                map.bumpMultiplier)
-                         : steepenedNormalMap(image, map.bumpMultiplier);
+std::string steepnessRecipe(const MtlTexture& map) {
+    return ":" + std::to_string(std::bit_cast<uint64_t>(map.bumpMultiplier));
+}
+
+/// The value of `cache` at `key`, which `compute` makes if it is not there.
+template <typename Cache, typename Compute>
+auto cached(Cache& cache, const typename Cache::key_type& key, Compute compute) {
+    const auto found = cache.find(key);
+    return found != cache.end() ? found->second : cache.emplace(key, compute()).first->second;
 }
 
 } // namespace
@@ -37,10 +38,11 @@ uint32_t MtlMaps::add(const MtlTexture& map, std::shared_ptr<const TexelImage> i
     source.decodesColor = !map.isLinear;
     texture.source = source;
     const std::vector<Texture>& textures = context_.scene.textures;
-    for (size_t i = 0; i < textures.size(); ++i)
-        if (areEqual(textures[i], texture))
-            return static_cast<uint32_t>(i);
-    return context_.addTexture(std::move(texture));
+    for (size_t& i = cache_.seenTextures; i < textures.size(); ++i)
+        if (const auto* seen = std::get_if<ImageTexture>(&textures[i].source))
+            cache_.textures.try_emplace(keyOf(textures[i], *seen), static_cast<uint32_t>(i));
+    const auto found = cache_.textures.find(keyOf(texture, source));
+    return found != cache_.textures.end() ? found->second : context_.addTexture(std::move(texture));
 }
 
 template <typename Convert>
@@ -50,11 +52,11 @@ uint32_t MtlMaps::converted(const MtlTexture& map, const std::filesystem::path& 
     if (!file.image)
         return Material::kNoTexture;
     // A zero separates path and recipe: paths cannot contain it.
-    std::shared_ptr<const TexelImage>& cached =
+    std::shared_ptr<const TexelImage>& image =
         context_.images[file.path + std::string(1, '\0') + recipe];
-    if (!cached)
-        cached = std::make_shared<TexelImage>(convert(*file.image));
-    return add(map, cached);
+    if (!image)
+        image = std::make_shared<TexelImage>(convert(*file.image));
+    return add(map, image);
 }
 
 uint32_t MtlMaps::color(const MtlTexture& map, const std::filesystem::path& directory) {
@@ -77,22 +79,51 @@ uint32_t MtlMaps::scalar(const MtlTexture& map, const std::filesystem::path& dir
 }
 
 uint32_t MtlMaps::normals(const MtlTexture& map, const std::filesystem::path& directory) {
-    const std::string recipe =
-        "normals" + std::to_string(static_cast<int>(map.channel.value_or(TexelChannel::Red))) +
-        ":" + std::to_string(std::bit_cast<uint64_t>(map.bumpMultiplier));
+    if (map.bumpMultiplier != 1.0) {
+        return converted(
+            map, directory, "normals" + steepnessRecipe(map),
+            [&](const TexelImage& image) { return steepenedNormalMap(image, map.bumpMultiplier); });
+    }
     const TextureFile file = readTextureFile(map.file, directory, map.place, context_);
-    if (file.image && map.bumpMultiplier == 1.0 && !isGrey(*file.image))
-        return add(map, file.image);
-    return converted(map, directory, recipe,
-                     [&](const TexelImage& image) { return normalMapOf(image, map); });
+    return file.image ? add(map, file.image) : Material::kNoTexture;
+}
+
+uint32_t MtlMaps::heights(const MtlTexture& map, const std::filesystem::path& directory) {
+    const auto channel = map.channel.value_or(TexelChannel::Luminance);
+    return converted(map, directory,
+                     "heights" + std::to_string(static_cast<int>(channel)) + steepnessRecipe(map),
+                     [&](const TexelImage& image) {
+                         return normalMapFromHeights(image, channel, map.bumpMultiplier);
+                     });
+}
+
+BumpKind MtlMaps::bumpKind(const MtlTexture& map, const std::filesystem::path& directory) {
+    const auto image = readTextureFile(map.file, directory, map.place, context_).image;
+    if (!image)
+        return BumpKind::Missing;
+    return cached(cache_.bumpKinds, image.get(), [&] {
+        if (looksLikeNormals(*image))
+            return BumpKind::Normals;
+        return isGrey(*image) ? BumpKind::Heights : BumpKind::ColoredHeights;
+    });
 }
 
 std::optional<glm::dvec3> MtlMaps::meanColor(const MtlTexture& map,
                                              const std::filesystem::path& directory) {
-    const TextureFile file = readTextureFile(map.file, directory, map.place, context_);
-    if (!file.image)
+    const auto image = readTextureFile(map.file, directory, map.place, context_).image;
+    if (!image)
         return std::nullopt;
-    return calotype::meanColor(*file.image, !map.isLinear);
+    return cached(cache_.meanColors, {image.get(), !map.isLinear},
+                  [&] { return calotype::meanColor(*image, !map.isLinear); });
+}
+
+std::optional<double> MtlMaps::mean(const MtlTexture& map, const std::filesystem::path& directory) {
+    const auto image = readTextureFile(map.file, directory, map.place, context_).image;
+    if (!image)
+        return std::nullopt;
+    const auto channel = map.channel.value_or(TexelChannel::Red);
+    return cached(cache_.means, {image.get(), channel},
+                  [&] { return calotype::meanColor(greyImage(*image, channel), false).x; });
 }
 
 bool MtlMaps::isTransparent(uint32_t texture) const {

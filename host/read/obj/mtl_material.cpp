@@ -7,30 +7,35 @@
 #include <glm/common.hpp>
 
 #include "math/greatest.h"
+#include "math/square.h"
+#include "read/obj/mtl_blender.h"
 #include "scene/ranges.h"
 
 namespace calotype {
 namespace {
 
 constexpr double kMetallic = 0.5;
+constexpr double kTransmissive = 0.5;
 constexpr double kMetalRoughness = 0.5;
 constexpr double kBlack = 0.05;
 constexpr double kBright = 0.5;
 constexpr double kGlassIor = 1.5;
+constexpr double kUsualLevel = 0.5; ///< of specular light: its F0 is that of the index
 
 class MtlMapping {
 public:
     MtlMapping(const MtlMaterial& mtl, const std::string& name, MtlMaps& maps, MtlNotes& notes)
         : mtl_(mtl), name_(name), maps_(maps), notes_(notes),
-          illumination_(static_cast<int>(std::clamp(mtl.illumination, -1.0, 11.0))) {}
+          illumination_(static_cast<int>(std::clamp(mtl.illumination.value_or(2.0), -1.0, 11.0))),
+          filter_(mtl.filter.value_or(glm::dvec3(1.0))) {}
 
     Material map() {
+        specular_ = specular();
         material_.emission = emission();
         readColor();
         readCutOut();
         chooseType();
-        if (const auto& map = mtl_.normalMap ? mtl_.normalMap : mtl_.bumpMap)
-            material_.normalMap = maps_.normals(*map, mtl_.directory);
+        readNormals();
         if (material_.type == MaterialType::Dielectric)
             leaveOutColorTexture();
         else
@@ -49,27 +54,45 @@ private:
     void note(const std::string& remark) { notes_.add(remark, name_); }
 
     double clamped(const char* statement, double value, const Range& range) {
-        if (value < range.low)
-            note(std::string(statement) + " was raised to its least value");
-        else if (value > range.high)
-            note(std::string(statement) + " was lowered to its greatest value");
-        return std::clamp(value, range.low, range.high);
+        return notes_.clamped(statement, value, range, name_);
     }
 
-    glm::dvec3 atMostOne(const char* statement, const glm::dvec3& color) {
+    glm::dvec3 share(const char* statement, const glm::dvec3& color) {
         if (greatest(color) > 1.0)
             note(std::string(statement) + " above 1 was lowered to 1");
-        return glm::min(color, glm::dvec3(1.0));
+        if (greatest(-color) > 0.0)
+            note(std::string(statement) + " below 0 was raised to 0");
+        return glm::clamp(color, 0.0, 1.0);
+    }
+
+    glm::dvec3 specular() {
+        const glm::dvec3 stated = mtl_.specular.value_or(glm::dvec3(0.0));
+        if (greatest(-stated) > 0.0)
+            note("Ks below 0 was raised to 0");
+        return glm::max(stated, glm::dvec3(0.0));
+    }
+
+    /// Radiances so small that no picture shows them are 0.
+    glm::dvec3 radiance(const glm::dvec3& stated) {
+        if (greatest(-stated) > 0.0)
+            note("Ke below 0 was raised to 0");
+        if (greatest(stated) > ranges::kEmitter.high)
+            note("Ke was lowered to its greatest value");
+        const glm::dvec3 clamped = glm::clamp(stated, 0.0, ranges::kEmitter.high);
+        if (greatest(clamped) >= ranges::kEmitter.low || clamped == glm::dvec3(0.0))
+            return clamped;
+        note("Ke, which is too small for any picture, was lowered to 0");
+        return glm::dvec3(0.0);
     }
 
     /// The emission of a material is one radiance: a map is replaced by its mean.
     glm::dvec3 emission() {
         const auto stated = mtl_.emission.value_or(glm::dvec3(mtl_.emissionMap ? 1.0 : 0.0));
-        if (!mtl_.emissionMap || stated == glm::dvec3(0.0))
-            return stated;
+        if (!mtl_.emissionMap || greatest(stated) <= 0.0)
+            return radiance(stated);
         note("map_Ke shines with its mean colour, since emission cannot be textured yet,");
         const auto mean = maps_.meanColor(*mtl_.emissionMap, mtl_.directory);
-        return mean ? stated * *mean : mtl_.emission.value_or(glm::dvec3(0.0));
+        return radiance(mean ? stated * *mean : mtl_.emission.value_or(glm::dvec3(0.0)));
     }
 
     void readColor() {
@@ -77,11 +100,26 @@ private:
             material_.colorTexture = maps_.color(*mtl_.diffuseMap, mtl_.directory);
         const bool textured = mtl_.diffuseMap.has_value();
         glm::dvec3 color = mtl_.diffuse.value_or(glm::dvec3(textured ? 1.0 : kUnstatedColor));
-        if (textured && color == glm::dvec3(0.0)) {
+        if (textured && greatest(color) <= 0.0) {
             note("Kd 0 beside map_Kd, which many exporters write, was taken for 1");
             color = glm::dvec3(1.0);
         }
-        material_.color = atMostOne("Kd", color);
+        material_.color = share("Kd", color);
+    }
+
+    void readNormals() {
+        if (mtl_.normalMap) {
+            material_.normalMap = maps_.normals(*mtl_.normalMap, mtl_.directory);
+        } else if (mtl_.bumpMap) {
+            const BumpKind kind = maps_.bumpKind(*mtl_.bumpMap, mtl_.directory);
+            if (kind == BumpKind::ColoredHeights) {
+                note("a coloured picture of bump, which does not look like a normal map, was read "
+                     "as heights");
+            }
+            material_.normalMap = kind == BumpKind::Normals
+                                      ? maps_.normals(*mtl_.bumpMap, mtl_.directory)
+                                      : maps_.heights(*mtl_.bumpMap, mtl_.directory);
+        }
     }
 
     void readCutOut() {
@@ -108,7 +146,7 @@ private:
 
     /// Tinted glass of exporters that write no index; without its filter it would be black.
     bool isBlackFilter() const {
-        const bool tints = greatest(mtl_.filter) > 0.0 && mtl_.filter != glm::dvec3(1.0);
+        const bool tints = greatest(filter_) > 0.0 && filter_ != glm::dvec3(1.0);
         return tints && !mtl_.diffuseMap && greatest(material_.color) <= kBlack;
     }
 
@@ -117,47 +155,105 @@ private:
         const bool transmits = mtl_.dissolve.value_or(1.0) < 1.0 ||
                                mtl_.transparency.value_or(0.0) > 0.0 ||
                                mtl_.ior.value_or(1.0) != 1.0 || isBlackFilter();
-        return isIllumination({4, 6, 7, 9}) && transmits && material_.emission == glm::dvec3(0.0) &&
+        return ((isIllumination({4, 6, 7, 9}) && transmits) || mtl_.transmission > kTransmissive) &&
+               material_.emission == glm::dvec3(0.0) &&
                material_.alphaTexture == Material::kNoTexture;
     }
 
     bool isMirror() const {
         return isIllumination({3, 5}) && !mtl_.diffuseMap && greatest(material_.color) <= kBlack &&
-               greatest(mtl_.specular) >= kBright;
+               greatest(specular_) >= kBright;
+    }
+
+    /// The metallic share cannot be textured: a map is replaced by its mean.
+    double metallic() {
+        const double stated = clamped("Pm", mtl_.metallic.value_or(0.0), ranges::kShare);
+        const auto mean = mtl_.metallicMap ? maps_.mean(*mtl_.metallicMap, mtl_.directory)
+                                           : std::optional<double>();
+        if (mean) {
+            note("a map of the metallic share was replaced by its mean, since it cannot be "
+                 "textured yet,");
+            return mtl_.metallic ? stated * *mean : *mean;
+        }
+        if (stated > 0.0 && stated < 1.0)
+            note("a metallic share between 0 and 1 was rounded to the nearer one");
+        return stated;
     }
 
     void chooseType() {
         const double exponent = clamped("Ns", mtl_.exponent.value_or(0.0),
                                         closedRange(0.0, Material::kHighestExponent));
-        if (mtl_.metallic.value_or(0.0) >= kMetallic) {
-            clamped("Pm", *mtl_.metallic, ranges::kShare);
-            material_.type = MaterialType::Metal;
+        if (metallic() >= kMetallic) {
+            becomeMetal();
             readRoughness(exponent);
         } else if (isGlass()) {
             becomeGlass();
         } else if (isMirror()) {
-            material_.type = MaterialType::Metal;
-            material_.color = atMostOne("Ks", mtl_.specular);
+            becomeMetal();
+            material_.color = share("Ks", specular_);
             material_.roughness = 0.0;
         } else if (mtl_.roughness || mtl_.roughnessMap) {
-            material_.type = MaterialType::Nonmetal;
+            becomeNonmetal();
             readRoughness(exponent);
-        } else if (greatest(mtl_.specular) > 0.0 && exponent > 0.0 && !isIllumination({0, 1})) {
+        } else if (greatest(specular_) > 0.0 && exponent > 0.0 && !isIllumination({0, 1})) {
             becomeGlossy(exponent);
         }
+        if (mtl_.transmission > 0.0 && material_.type != MaterialType::Metal &&
+            material_.type != MaterialType::Dielectric) {
+            note("transmission (Tf) of at most 0.5, or of a surface that shines or has holes, was "
+                 "ignored");
+        }
+    }
+
+    /// The exact masking: with the other one a mirror loses 13 % of the light.
+    void becomeMetal() {
+        material_.type = MaterialType::Metal;
+        material_.masking = Masking::Smith;
     }
 
     void becomeGlass() {
         material_.type = MaterialType::Dielectric;
         material_.alphaTexture = Material::kNoTexture;
-        material_.color =
-            greatest(mtl_.filter) > 0.0 ? atMostOne("Tf", mtl_.filter) : glm::dvec3(1.0);
-        material_.ior = mtl_.ior.value_or(1.0);
-        if (material_.ior <= 0.0 || material_.ior == 1.0) {
-            note("Ni of glass is not given, or 1, or not positive, and was taken for 1.5");
-            material_.ior = kGlassIor;
+        if (mtl_.transmission > kTransmissive) {
+            // Light crosses glass twice, and Kd is the colour behind both.
+            material_.color = glm::sqrt(material_.color);
+            if (mtl_.roughness.value_or(0.0) > 0.0 || mtl_.roughnessMap)
+                note("the roughness of glass was ignored");
+            if (mtl_.dissolve.value_or(1.0) < 1.0)
+                note("d of glass was ignored");
+        } else {
+            material_.color = greatest(filter_) > 0.0 ? share("Tf", filter_) : glm::dvec3(1.0);
         }
-        material_.ior = clamped("Ni", material_.ior, ranges::kIndexOfRefraction);
+        material_.ior = indexOfGlass();
+    }
+
+    /// Ni, or 1.5 for numbers that mean nothing.
+    double indexOfGlass() {
+        const double index = mtl_.ior.value_or(0.0);
+        if (index > 0.0 && (index != 1.0 || mtl_.transmission > 0.0))
+            return clamped("Ni", index, ranges::kIndexOfRefraction);
+        note("Ni of glass is not given, or 1, or not positive, and was taken for 1.5");
+        return kGlassIor;
+    }
+
+    /// Ks is the specular level.
+    void becomeNonmetal() {
+        material_.type = MaterialType::Nonmetal;
+        if (mtl_.isFromBlender)
+            material_.masking = Masking::Smith;
+        if (!mtl_.specular && !mtl_.specularMap && !mtl_.isFromBlender)
+            return;
+        const double written = mtl_.ior.value_or(kGlassIor);
+        const double index =
+            clamped("Ni", written > 0.0 ? written : kGlassIor, ranges::kIndexOfRefraction);
+        if (mtl_.specularMap)
+            material_.specularTexture = maps_.scalar(*mtl_.specularMap, mtl_.directory);
+        const bool isMapped = material_.specularTexture != Material::kNoTexture;
+        const glm::dvec3 stated = mtl_.specular ? specular_ : glm::dvec3(kUsualLevel);
+        const double level = isMapped ? 1.0 : greatest(share("Ks", stated));
+        material_.specular = std::min(1.0, 2.0 * level * square((index - 1.0) / (index + 1.0)));
+        if (material_.specular == 0.0)
+            material_.type = MaterialType::Diffuse; // the index is that of air: no grazing light
     }
 
     void readRoughness(double exponent) {
@@ -178,11 +274,11 @@ private:
     /// Old files combine Ks 1 with a bright Kd: both keep their proportion, but together they
     /// reflect no more than they receive.
     void becomeGlossy(double exponent) {
-        const double ks = greatest(atMostOne("Ks", mtl_.specular));
-        const double share = 1.0 / std::max(1.0, greatest(material_.color) + ks);
+        const double ks = greatest(share("Ks", specular_));
+        const double scale = 1.0 / std::max(1.0, greatest(material_.color) + ks);
         material_.type = MaterialType::BlinnPhong;
-        material_.kd = share;
-        material_.ks = share * ks;
+        material_.kd = scale;
+        material_.ks = scale * ks;
         material_.exponent = exponent;
         material_.normalize = true;
     }
@@ -192,6 +288,8 @@ private:
     MtlMaps& maps_;
     MtlNotes& notes_;
     int illumination_;
+    glm::dvec3 filter_;
+    glm::dvec3 specular_{0.0};
     Material material_;
 };
 
@@ -199,6 +297,8 @@ private:
 
 Material materialFromMtl(const MtlMaterial& mtl, const std::string& name, MtlMaps& maps,
                          MtlNotes& notes) {
+    if (mtl.isFromBlender)
+        return MtlMapping(inBlendersMeaning(mtl, name, notes), name, maps, notes).map();
     return MtlMapping(mtl, name, maps, notes).map();
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "base/names.h"
+#include "base/range.h"
 #include "read/read_context.h"
 
 namespace calotype {
@@ -12,12 +14,23 @@ namespace calotype {
 /// Collects remarks about the materials of an OBJ: one warning for each remark.
 class MtlNotes {
 public:
-    /// `remark` is a sentence that ends with the names of materials.
+    /// `remark` is a sentence that ends with the names of materials. All remarks about a material
+    /// must be added before those about the next.
     void add(const std::string& remark, const std::string& material) {
         const auto found = std::ranges::find(notes_, remark, &Note::first);
         Note& note = found != notes_.end() ? *found : notes_.emplace_back(remark, Names());
-        if (std::ranges::find(note.second, material) == note.second.end())
+        if (note.second.empty() || note.second.back() != material)
             note.second.push_back(material);
+    }
+
+    /// `value` clamped to a closed range, with a remark if that changes it.
+    double clamped(const std::string& statement, double value, const Range& range,
+                   const std::string& material) {
+        if (value < range.low)
+            add(statement + " was raised to its least value", material);
+        else if (value > range.high)
+            add(statement + " was lowered to its greatest value", material);
+        return std::clamp(value, range.low, range.high);
     }
 
     void warn(const std::string& where, ReadContext& context) const {

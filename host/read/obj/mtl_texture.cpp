@@ -1,33 +1,19 @@
 #include "read/obj/mtl_texture.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.h"
 #include "base/names.h"
 #include "base/text_cursor.h"
+#include "read/obj/readings.h"
 #include "scene/ranges.h"
 
 namespace calotype {
 namespace {
 
-/// Longer names are not searched for options: the time grows with the square of the length.
-constexpr size_t kLongestName = 4096;
-
-/// Without a comment, which starts with a '#' after a blank.
-std::string_view withoutComment(std::string_view text) {
-    for (size_t i = 0; i < text.size(); ++i) {
-        const bool startsWord = i == 0 || isBlank(text[i - 1]);
-        const bool endsWord = i + 1 == text.size() || isBlank(text[i + 1]);
-        if (text[i] == '#' && startsWord && endsWord)
-            return text.substr(0, i);
-    }
-    return text;
-}
-
-std::string_view withoutQuotes(std::string_view text) {
-    const bool quoted = text.size() > 1 && text.front() == '"' && text.back() == '"';
-    return quoted ? text.substr(1, text.size() - 2) : text;
-}
+/// Steeper slopes are vertical walls already; their squares stay within double.
+constexpr Range kBumpMultiplier = closedRange(-1e6, 1e6);
 
 std::optional<TexelChannel> channelOf(std::string_view word) {
     if (word == "r")
@@ -62,6 +48,9 @@ public:
                 return before.rest(); // the name begins with a hyphen
         }
     }
+
+    /// What has not been read.
+    std::string_view rest() const { return cursor_.rest(); }
 
 private:
     [[noreturn]] void fail(std::string_view option, const std::string& message) const {
@@ -106,7 +95,7 @@ private:
     }
 
     void ignoreUnless(bool harmless, std::string_view option) {
-        if (!harmless)
+        if (!harmless && std::ranges::find(texture_.ignored, option) == texture_.ignored.end())
             texture_.ignored.emplace_back(option);
     }
 
@@ -145,30 +134,28 @@ private:
     bool nameFollows_;
 };
 
-/// Removes options from the end of a name if the text after some blank consists of options.
+/// Removes options from the end of a name if the text after some blank consists of options. Each
+/// attempt begins where the one before stopped, so that the time is in proportion to the length.
 std::string_view readTrailingOptions(MtlTexture& texture, std::string_view name) {
-    if (name.size() > kLongestName)
-        return name;
-    for (size_t at = name.find(" -"); at != std::string_view::npos; at = name.find(" -", at + 1)) {
+    for (size_t at = name.find(" -"); at != std::string_view::npos;) {
         MtlTexture withOptions = texture;
+        OptionReader reader(withOptions, name.substr(at), false);
         try {
-            if (OptionReader(withOptions, name.substr(at), false).read().empty()) {
+            if (reader.read().empty()) {
                 texture = withOptions;
                 return name.substr(0, at);
             }
-        } catch (const SceneError&) {
-            continue; // it is part of the name
+        } catch (const SceneError&) { // it is part of the name
         }
+        const size_t blank = name.size() - reader.rest().size() - 1;
+        at = name.find(" -", std::max(at + 1, blank));
     }
     return name;
 }
 
-void checkRange(std::string_view option, const glm::dvec2& value, const std::string& place) {
-    if (!ranges::kTextureCoordinate.contains(value.x) ||
-        !ranges::kTextureCoordinate.contains(value.y)) {
-        throw SceneError(place, "the numbers of the option " + inQuotes(option) + " must be " +
-                                    toText(ranges::kTextureCoordinate));
-    }
+void limit(double& number, const Range& range, MtlTexture& texture) {
+    texture.isLimited = texture.isLimited || !range.contains(number);
+    number = std::clamp(number, range.low, range.high);
 }
 
 } // namespace
@@ -176,12 +163,15 @@ void checkRange(std::string_view option, const glm::dvec2& value, const std::str
 std::optional<MtlTexture> parseMtlTexture(std::string_view text, const std::string& place) {
     MtlTexture texture;
     texture.place = place;
-    std::string_view name = OptionReader(texture, trimmed(withoutComment(text)), true).read();
+    std::string_view name = OptionReader(texture, trimmed(text), true).read();
     name = withoutQuotes(trimmed(readTrailingOptions(texture, name)));
     if (name.empty())
         return std::nullopt;
-    checkRange("-s", texture.scale, place);
-    checkRange("-o", texture.offset, place);
+    for (glm::dvec2* vector : {&texture.scale, &texture.offset}) {
+        limit(vector->x, ranges::kTextureCoordinate, texture);
+        limit(vector->y, ranges::kTextureCoordinate, texture);
+    }
+    limit(texture.bumpMultiplier, kBumpMultiplier, texture);
     texture.file = name;
     return texture;
 }

@@ -22,12 +22,13 @@ struct MtlTexture {
     bool isLinear = false;               ///< -colorspace linear
     std::optional<TexelChannel> channel; ///< -imfchan
     std::vector<std::string> ignored;    ///< ignored options that should have an effect
+    bool isLimited = false;              ///< some number was out of range and replaced by its end
 };
 
-/// Reads the text after a texture statement's keyword: options, then a file name, which may contain
-/// blanks, then possibly more options. nullopt if there is no name. Throws SceneError at `place`
-/// for an option whose argument is missing or invalid, and for -s and -o outside
-/// ranges::kTextureCoordinate.
+/// Reads the text after a texture statement's keyword, without a comment: options, then a file
+/// name, which may contain blanks, then possibly more options. -s and -o are limited to
+/// ranges::kTextureCoordinate, and -bm to +-1e6. nullopt if there is no name. Throws SceneError at
+/// `place` for an option whose argument is missing or invalid.
 std::optional<MtlTexture> parseMtlTexture(std::string_view text, const std::string& place);
 
 } // namespace calotype
