@@ -26,11 +26,13 @@ uint32_t flagsOf(const ImageTexture& texture, TextureFilter filter) {
 
 } // namespace
 
-uint32_t TexturePacker::add(uint32_t texture) {
+uint32_t TexturePacker::add(uint32_t texture, bool isCutOut) {
     const auto next = static_cast<uint32_t>(packed_.size());
-    const auto [entry, isNew] = packedIndex_.try_emplace(texture, next);
-    if (isNew)
+    const auto [entry, isNew] = packedIndex_.try_emplace({texture, isCutOut}, next);
+    if (isNew) {
         packed_.push_back(pack(textures_[texture]));
+        packed_.back().flags |= isCutOut ? shared::kTextureIsCutOut : 0;
+    }
     return entry->second;
 }
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <glm/vec4.hpp>
@@ -22,8 +23,9 @@ public:
                            std::optional<TextureFilter> filter = {})
         : textures_(textures), filter_(filter) {}
 
-    /// The packed index of a texture. Packs the texture at the first call.
-    uint32_t add(uint32_t texture);
+    /// The packed index of a texture. Packs the texture at the first call. `isCutOut`: filters
+    /// weigh the colour of a texel by its alpha (see hasCutOutColors).
+    uint32_t add(uint32_t texture, bool isCutOut = false);
 
     std::vector<shared::Texture> takePacked() { return std::move(packed_); }
     /// Rows of 16 bytes: four texels of 8-bit RGBA, or one of four floats.
@@ -37,7 +39,7 @@ private:
     std::optional<TextureFilter> filter_;
     std::vector<shared::Texture> packed_;
     std::vector<glm::uvec4> rows_;
-    std::map<uint32_t, uint32_t> packedIndex_;
+    std::map<std::pair<uint32_t, bool>, uint32_t> packedIndex_; ///< by the arguments of add
     std::map<const TexelImage*, uint32_t> firstRow_;
 };
 
