@@ -18,7 +18,7 @@ struct SceneOverride {
     std::string value;
 };
 
-/// What to do if the image file of a texture cannot be found.
+/// What to do if the image file of a texture is missing, or cannot be read.
 enum class MissingTextures : uint8_t { Fail, Warn }; ///< Warn: show magenta instead
 
 struct LoadOptions {

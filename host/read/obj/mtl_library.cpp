@@ -3,7 +3,6 @@
 #include <set>
 
 #include "base/error.h"
-#include "base/find_file.h"
 #include "base/names.h"
 #include "base/read_file.h"
 #include "read/obj/mtl_material.h"
@@ -31,12 +30,12 @@ public:
     MtlLibrary(const ObjFile& obj, const std::filesystem::path& directory, ReadContext& context) {
         for (const std::string& library : obj.libraries) {
             // Many exporters do not escape blanks in names.
-            if (const auto path = findFile(directory, library)) {
+            if (const auto path = context.files.find(directory, library)) {
                 read(*path, context);
                 continue;
             }
             for (const std::string& name : splitNames(library))
-                if (const auto path = findFile(directory, name))
+                if (const auto path = context.files.find(directory, name))
                     read(*path, context);
                 else
                     missing_.push_back(name);
