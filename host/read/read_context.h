@@ -13,6 +13,7 @@
 #include "base/warnings.h"
 #include "read/load.h"
 #include "read/reader.h"
+#include "read/texture_budget.h"
 #include "scene/scene.h"
 
 namespace calotype {
@@ -29,6 +30,7 @@ struct ReadContext {
     ContentHash hash; ///< of all data that is read
 
     FileFinder files = {};
+    TextureBudget textureBudget = {};
 
     /// Image files by path, and images made from them (by path and recipe); nullptr for those that
     /// cannot be read. Each is read once for all textures.

@@ -90,6 +90,12 @@ TextureFile readTextureFile(const std::string& name, const std::filesystem::path
     }
 }
 
+void countTexture(const std::string& name, const std::filesystem::path& directory, bool isUploaded,
+                  ReadContext& context) {
+    if (const auto path = context.files.find(directory, name))
+        context.textureBudget.add(path->string(), isUploaded);
+}
+
 std::shared_ptr<const TexelImage> magentaImage() {
     auto image = std::make_shared<TexelImage>();
     image->width = 1;

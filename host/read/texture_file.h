@@ -20,6 +20,11 @@ struct TextureFile {
 TextureFile readTextureFile(const std::string& name, const std::filesystem::path& directory,
                             const std::string& where, ReadContext& context);
 
+/// Counts the image, if it is there, for the budget of the context. Readers do this for all images
+/// of a file and check the budget before they read the first.
+void countTexture(const std::string& name, const std::filesystem::path& directory, bool isUploaded,
+                  ReadContext& context);
+
 /// One texel of magenta, shown instead of an image that is missing or cannot be read.
 std::shared_ptr<const TexelImage> magentaImage();
 

@@ -43,7 +43,7 @@ public:
     std::vector<glm::vec4> read(const std::vector<shared::TestTextureRead>& reads) const;
 
     const std::vector<Texture>& textures() const { return textures_; }
-    size_t rowCount() const { return scene_.texelRows.size(); }
+    size_t rowCount() const { return calotype::rowCount(scene_.texelRows); }
 
 private:
     std::vector<Texture> textures_;

@@ -1,11 +1,13 @@
 #include "read/obj/mtl_library.h"
 
 #include <set>
+#include <span>
 
 #include "base/error.h"
 #include "base/names.h"
 #include "base/read_file.h"
 #include "read/obj/mtl_material.h"
+#include "read/texture_file.h"
 
 namespace calotype {
 namespace {
@@ -75,6 +77,25 @@ private:
     std::vector<std::string> missing_;
 };
 
+/// Checks by the headers of the image files that there is memory for them.
+void requireMemoryForTextures(const MtlLibrary& library, std::span<const std::string> names,
+                              ReadContext& context) {
+    for (const std::string& name : names) {
+        const MtlMaterial* mtl = library.find(name);
+        if (mtl == nullptr)
+            continue;
+        const auto count = [&](const std::optional<MtlTexture>& map, bool isUploaded) {
+            if (map)
+                countTexture(map->file, mtl->directory, isUploaded, context);
+        };
+        for (const auto* map : {&mtl->diffuseMap, &mtl->alphaMap, &mtl->roughnessMap,
+                                mtl->normalMap ? &mtl->normalMap : &mtl->bumpMap})
+            count(*map, true);
+        count(mtl->emissionMap, false);
+    }
+    context.textureBudget.require(context.options);
+}
+
 /// Statements, and options of textures, that have no effect.
 struct Ignored {
     std::set<std::string> statements;
@@ -122,6 +143,7 @@ std::vector<uint32_t> materialsFromMtl(const ObjFile& obj, const std::string& ob
     Ignored ignored;
     if (!obj.materialNames.empty()) {
         const MtlLibrary library(obj, path.parent_path(), context);
+        requireMemoryForTextures(library, obj.materialNames, context);
         MtlMaps maps(context);
         for (size_t i = 0; i < obj.materialNames.size(); ++i) {
             const std::string& name = obj.materialNames[i];
