@@ -32,20 +32,28 @@ bool isAbsolute(const std::string& name) {
            (name.size() > 1 && std::isalpha(static_cast<unsigned char>(name[0])) && name[1] == ':');
 }
 
-std::vector<std::string> entriesOf(const fs::path& folder) {
-    std::vector<std::string> names;
+} // namespace
+
+const FileFinder::Listing& FileFinder::listingOf(const fs::path& folder) {
+    const auto [entry, isNew] = listings_.try_emplace(folder.string());
+    Listing& listing = entry->second;
+    if (!isNew)
+        return listing;
     std::error_code stop;
-    for (fs::directory_iterator entry(folder.empty() ? "." : folder, stop), end;
-         !stop && entry != end; entry.increment(stop)) {
-        names.push_back(entry->path().filename().string());
+    for (fs::directory_iterator at(folder.empty() ? "." : folder, stop), end; !stop && at != end;
+         at.increment(stop)) {
+        listing.names.push_back(at->path().filename().string());
     }
-    std::ranges::sort(names);
-    return names;
+    std::ranges::sort(listing.names);
+    for (const std::string& name : listing.names)
+        listing.byLowercase[lowercase(name)].push_back(name);
+    return listing;
 }
 
 /// Follows the parts of a path from `next` on, starting in `folder`, ignoring case.
-std::optional<fs::path> findInAnyCase(const fs::path& folder, fs::path::const_iterator next,
-                                      const fs::path::const_iterator& end) {
+std::optional<fs::path> FileFinder::findInAnyCase(const fs::path& folder,
+                                                  fs::path::const_iterator next,
+                                                  const fs::path::const_iterator& end) {
     if (next == end)
         return isReadableFile(folder.string()) ? std::optional(folder) : std::nullopt;
     const std::string part = next->string();
@@ -55,8 +63,12 @@ std::optional<fs::path> findInAnyCase(const fs::path& folder, fs::path::const_it
         if (const auto found = findInAnyCase(folder / part, next, end))
             return found;
     }
-    for (const std::string& entry : entriesOf(folder)) {
-        if (entry != part && lowercase(entry) == lowercase(part)) {
+    const auto& byLowercase = listingOf(folder).byLowercase;
+    const auto same = byLowercase.find(lowercase(part));
+    if (same == byLowercase.end())
+        return std::nullopt;
+    for (const std::string& entry : same->second) {
+        if (entry != part) {
             if (const auto found = findInAnyCase(folder / entry, next, end))
                 return found;
         }
@@ -64,14 +76,13 @@ std::optional<fs::path> findInAnyCase(const fs::path& folder, fs::path::const_it
     return std::nullopt;
 }
 
-std::optional<fs::path> findInAnyCase(const fs::path& directory, const std::string& name) {
+std::optional<fs::path> FileFinder::findInAnyCase(const fs::path& directory,
+                                                  const std::string& name) {
     const fs::path relative = fs::path(name).lexically_normal();
     return findInAnyCase(directory, relative.begin(), relative.end());
 }
 
-} // namespace
-
-std::optional<fs::path> findFile(const fs::path& directory, const std::string& name) {
+std::optional<fs::path> FileFinder::find(const fs::path& directory, const std::string& name) {
     if (name.size() > kLongestPath)
         return std::nullopt;
     if (isReadableFile((directory / name).string()))
@@ -89,7 +100,7 @@ std::optional<fs::path> findFile(const fs::path& directory, const std::string& n
     return std::nullopt;
 }
 
-std::string nearestFile(const fs::path& directory, const std::string& name) {
+std::string FileFinder::nearest(const fs::path& directory, const std::string& name) {
     std::string path = withSlashes(name);
     if (isAbsolute(path))
         path.erase(0, path.find_last_of("/:") + 1);
@@ -100,7 +111,7 @@ std::string nearestFile(const fs::path& directory, const std::string& name) {
             folder /= part;
             continue;
         }
-        const std::vector<std::string> entries = entriesOf(directory / folder);
+        const std::vector<std::string>& entries = listingOf(directory / folder).names;
         const std::string nearest =
             entries.size() > kMostSuggestions ? std::string() : nearestName(part.string(), entries);
         return nearest.empty() ? nearest : (folder / nearest).string();

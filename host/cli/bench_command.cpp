@@ -10,10 +10,10 @@
 #include "cli/device_environment.h"
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
+#include "cli/read_scene.h"
 #include "engine/bench.h"
 #include "engine/bench_scene.h"
 #include "engine/scene_settings.h"
-#include "read/load.h"
 
 namespace calotype {
 namespace {
@@ -23,16 +23,15 @@ struct BenchScene {
     std::function<Scene()> load;
 };
 
-std::vector<BenchScene> scenesOf(const BenchOptions& options) {
+std::vector<BenchScene> scenesOf(const BenchOptions& options, const DeviceOptions& device) {
     if (options.scenes.empty())
         return {{"generated", makeBenchScene},
                 {"generated, many materials", makeManyMaterialScene}};
     std::vector<BenchScene> scenes;
     for (const std::string& path : options.scenes)
-        scenes.push_back({path, [path, &options] {
-                              LoadOptions load;
-                              load.overrides = options.overrides;
-                              return loadScene(path, load);
+        scenes.push_back({path, [path, &options, &device] {
+                              return readScene({path, options.overrides}, {}, device,
+                                               [](const std::string&, double) {});
                           }});
     return scenes;
 }
@@ -56,7 +55,7 @@ int benchCommand(const BenchOptions& options) {
     if (writesJson)
         checkWritable(options.jsonFile);
     std::string lines;
-    for (const BenchScene& scene : scenesOf(options)) {
+    for (const BenchScene& scene : scenesOf(options, device)) {
         const BenchReport report = measure(scene, options, device);
         std::fputs(toText(scene.name, report).c_str(), stdout);
         std::fflush(stdout);

@@ -71,7 +71,7 @@ int infoCommand(const InfoOptions& options) {
         throw UsageError("--json is for films, and '" + options.scene.path + "' is none");
     const DeviceOptions device = withEnvironment(options.device, false);
     const Scene scene =
-        readScene(options.scene, options.settings, [](const std::string&, double) {});
+        readScene(options.scene, options.settings, device, [](const std::string&, double) {});
     printWarnings(scene);
     RenderSettings settings = defaultSettings(scene);
     options.settings.applyTo(settings);

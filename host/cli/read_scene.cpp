@@ -2,9 +2,13 @@
 
 #include <cstdio>
 
+#include "engine/devices.h"
+#include "engine/scene_summary.h"
+
 namespace calotype {
 
 LoadedScene readScene(const SceneOptions& options, const GivenSettings& settings,
+                      const DeviceOptions& device,
                       const std::function<void(const std::string& what, double done)>& onProgress) {
     LoadOptions load;
     load.overrides = options.overrides;
@@ -13,6 +17,8 @@ LoadedScene readScene(const SceneOptions& options, const GivenSettings& settings
     settings.applyTo(given);
     if (settings.has("size"))
         load.size = PictureSize{given.width, given.height};
+    if (!isReference(device))
+        load.deviceTextureMemory = [&] { return textureMemoryOf(device); };
     load.onProgress = [&](const std::string& what, double done) {
         onProgress("loading " + what, done);
     };

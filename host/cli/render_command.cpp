@@ -72,7 +72,7 @@ public:
 
 private:
     LoadedScene load() {
-        return readScene(options_.scene, options_.settings,
+        return readScene(options_.scene, options_.settings, options_.device,
                          [&](const std::string& what, double done) {
                              throwIfInterrupted();
                              progress_->step(what, done);

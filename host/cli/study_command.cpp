@@ -153,7 +153,7 @@ int studyCommand(const StudyOptions& options) {
         progress.step(what + ", " + durationText(std::max(0.0, left)) + " left", done);
     };
     const Scene scene =
-        readScene(options.scene, options.settings, [&](const std::string& what, double) {
+        readScene(options.scene, options.settings, device, [&](const std::string& what, double) {
             throwIfInterrupted();
             show(what);
         });

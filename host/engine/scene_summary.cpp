@@ -25,7 +25,7 @@ void addTree(SceneSummary& summary, const CompiledScene& compiled) {
 }
 
 void addMemory(SceneSummary& summary, const GpuScene& packed) {
-    summary.textureBytes = packed.texelRows.size() * sizeof(packed.texelRows[0]);
+    summary.textureBytes = rowCount(packed.texelRows) * kBytesOfTexelRow;
     summary.sceneBytes = packed.bytes();
     summary.largestBytes = packed.largestBytes();
 }
@@ -50,6 +50,13 @@ SceneSummary summarize(const Scene& scene, const RenderSettings& settings) {
             summary.features.emplace_back(kFeatureNames[i]);
     addMemory(summary, compiled.packed);
     return summary;
+}
+
+DeviceTextureMemory textureMemoryOf(const DeviceOptions& options) {
+    const DeviceSession session(options);
+    const Device& device = session.device();
+    const uint64_t buffer = uint64_t{device.limits().maxTexelBufferElements} * 16;
+    return {std::min(buffer, device.memorySize()), device.info().name, device.info().type == "CPU"};
 }
 
 DeviceFit fitOf(const RenderSettings& settings, const DeviceOptions& options) {

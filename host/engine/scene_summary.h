@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "math/bounds.h"
+#include "read/load.h"
 #include "scene/scene.h"
 #include "settings/bvh_builder.h"
 #include "settings/device_options.h"
@@ -52,6 +53,9 @@ struct DeviceFit {
 
 /// Compiles the scene for a picture of these settings. Throws SceneError.
 SceneSummary summarize(const Scene& scene, const RenderSettings& settings);
+
+/// What the device has for textures. Opens it. Throws GpuError.
+DeviceTextureMemory textureMemoryOf(const DeviceOptions& device);
 
 /// Opens the device. Throws GpuError.
 DeviceFit fitOf(const RenderSettings& settings, const DeviceOptions& device);

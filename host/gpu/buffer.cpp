@@ -10,15 +10,40 @@ namespace {
 
 constexpr size_t kBytesPerRow = 16;
 
-std::span<const std::byte> checkRows(const Device& device, std::span<const std::byte> contents,
-                                     const std::string& name) {
-    const uint64_t rows = contents.size() / kBytesPerRow;
+size_t roundedToRows(size_t bytes) {
+    return (bytes + kBytesPerRow - 1) / kBytesPerRow * kBytesPerRow;
+}
+
+/// Bytes of a buffer that holds all parts.
+size_t bytesOf(BufferParts parts) {
+    size_t bytes = 0;
+    for (const auto& part : parts)
+        bytes = roundedToRows(bytes) + part.size();
+    return bytes;
+}
+
+size_t checkedBytes(const Device& device, BufferParts parts, const std::string& name) {
+    const uint64_t bytes = roundedToRows(bytesOf(parts));
     const uint64_t limit = device.limits().maxTexelBufferElements;
-    if (rows > limit)
-        throw GpuError("the scene's " + name + " take " + std::to_string(contents.size() >> 20) +
+    if (bytes / kBytesPerRow > limit)
+        throw GpuError("the scene's " + name + " take " + std::to_string(bytes >> 20) +
                        " MiB, and '" + device.info().name + "' can address " +
                        std::to_string((limit * kBytesPerRow) >> 20) + " MiB in one buffer");
-    return contents;
+    return bytes;
+}
+
+/// Copies the bytes of the parts that lie in [begin, begin + window.size()) to the window.
+void copyParts(BufferParts parts, size_t begin, std::span<std::byte> window) {
+    size_t start = 0;
+    for (const auto& part : parts) {
+        start = roundedToRows(start);
+        const size_t first = std::max(begin, start);
+        const size_t last = std::min(begin + window.size(), start + part.size());
+        if (first < last)
+            std::memcpy(window.data() + (first - begin), part.data() + (first - start),
+                        last - first);
+        start += part.size();
+    }
 }
 
 /// Makes copied data visible to the kernels of later submissions, and to the host.
@@ -58,13 +83,14 @@ Buffer::Buffer(const Device& device, size_t bytes, vk::BufferUsageFlags usage, M
     });
 }
 
-void copyByStaging(const Device& device, std::span<const std::byte> contents, const Buffer& buffer,
+void copyByStaging(const Device& device, BufferParts parts, const Buffer& buffer,
                    size_t stagingBytes) {
-    const Buffer staging(device, std::min(contents.size(), stagingBytes),
+    const size_t total = bytesOf(parts);
+    const Buffer staging(device, std::min(total, stagingBytes),
                          vk::BufferUsageFlagBits::eTransferSrc, Buffer::Memory::Host, "staging");
-    for (size_t offset = 0; offset < contents.size(); offset += staging.bytes()) {
-        const size_t bytes = std::min(staging.bytes(), contents.size() - offset);
-        std::memcpy(staging.mapped<std::byte>().data(), contents.data() + offset, bytes);
+    for (size_t offset = 0; offset < total; offset += staging.bytes()) {
+        const size_t bytes = std::min(staging.bytes(), total - offset);
+        copyParts(parts, offset, staging.mapped<std::byte>().first(bytes));
         device.submitAndWait([&](const vk::raii::CommandBuffer& commands) {
             commands.copyBuffer(staging.handle(), buffer.handle(),
                                 vk::BufferCopy(0, offset, bytes));
@@ -73,11 +99,15 @@ void copyByStaging(const Device& device, std::span<const std::byte> contents, co
     }
 }
 
-void overwrite(const Device& device, std::span<const std::byte> contents, const Buffer& buffer) {
+void overwrite(const Device& device, BufferParts parts, const Buffer& buffer) {
     if (buffer.mapped<std::byte>().empty())
-        copyByStaging(device, contents, buffer);
+        copyByStaging(device, parts, buffer);
     else
-        std::ranges::copy(contents, buffer.mapped<std::byte>().begin());
+        copyParts(parts, 0, buffer.mapped<std::byte>());
+}
+
+void overwrite(const Device& device, std::span<const std::byte> contents, const Buffer& buffer) {
+    overwrite(device, BufferParts(&contents, 1), buffer);
 }
 
 Buffer uploadBuffer(const Device& device, std::span<const std::byte> contents,
@@ -104,10 +134,11 @@ void clear(const Device& device, const Buffer& buffer) {
     });
 }
 
-TexelBuffer::TexelBuffer(const Device& device, std::span<const std::byte> contents,
-                         const std::string& name)
-    : buffer_(uploadBuffer(device, checkRows(device, contents, name),
-                           vk::BufferUsageFlagBits::eUniformTexelBuffer, name)) {
+TexelBuffer::TexelBuffer(const Device& device, BufferParts parts, const std::string& name)
+    : buffer_(device, checkedBytes(device, parts, name),
+              vk::BufferUsageFlagBits::eUniformTexelBuffer | vk::BufferUsageFlagBits::eTransferDst,
+              Buffer::Memory::Device, name) {
+    overwrite(device, parts, buffer_);
     callVulkan([&] {
         view_ = device.handle().createBufferView(
             {{}, buffer_.handle(), vk::Format::eR32G32B32A32Uint, 0, VK_WHOLE_SIZE});

@@ -40,12 +40,16 @@ private:
 Buffer uploadBuffer(const Device& device, std::span<const std::byte> contents,
                     vk::BufferUsageFlags usage, const std::string& name);
 
+/// Contents of a buffer, one after the other; each starts at the next multiple of 16 bytes.
+using BufferParts = std::span<const std::span<const std::byte>>;
+
 /// Overwrites the start of a buffer on the device; the buffer must be a transfer destination.
 void overwrite(const Device& device, std::span<const std::byte> contents, const Buffer& buffer);
+void overwrite(const Device& device, BufferParts parts, const Buffer& buffer);
 
-/// Copies to the start of a buffer, a transfer destination, through a mapped buffer of at most
-/// `stagingBytes`. overwrite does this if the device's memory is not mapped.
-void copyByStaging(const Device& device, std::span<const std::byte> contents, const Buffer& buffer,
+/// Copies `parts` to the start of a buffer, a transfer destination, through a mapped buffer of at
+/// most `stagingBytes`. overwrite does this if the device's memory is not mapped.
+void copyByStaging(const Device& device, BufferParts parts, const Buffer& buffer,
                    size_t stagingBytes = size_t{64} << 20);
 
 /// A storage buffer on the device, all zeros, not accessed by the host.
@@ -58,7 +62,9 @@ void clear(const Device& device, const Buffer& buffer);
 /// device can address.
 class TexelBuffer {
 public:
-    TexelBuffer(const Device& device, std::span<const std::byte> contents, const std::string& name);
+    TexelBuffer(const Device& device, BufferParts parts, const std::string& name);
+    TexelBuffer(const Device& device, std::span<const std::byte> contents, const std::string& name)
+        : TexelBuffer(device, BufferParts(&contents, 1), name) {}
 
     vk::BufferView view() const { return *view_; }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <initializer_list>
 
 #include "base/error.h"
 #include "image/byte_order.h"
@@ -12,7 +11,6 @@ namespace {
 
 constexpr std::string_view kPngSignature = "\x89PNG\r\n\x1a\n";
 constexpr size_t kBmpFileHeader = 14;
-constexpr size_t kTgaHeader = 18;
 
 [[noreturn]] void failCut(const std::string& where, const char* format) {
     throw SceneError(where, std::string("the ") + format + " is incomplete: its end is missing");
@@ -35,50 +33,6 @@ uint32_t crc32(std::string_view bytes) {
     return ~crc;
 }
 
-/// The fields of a TGA's header that determine the size of the data.
-struct TgaHeader {
-    bool indexed;
-    bool runLengthEncoded;
-    ImageSize size;
-    size_t bytesPerPixel;
-    size_t pixels; ///< where they start
-};
-
-TgaHeader readTgaHeader(std::string_view file) {
-    TgaHeader header;
-    header.indexed = byteAt(file, 1) == 1;
-    header.runLengthEncoded = byteAt(file, 2) >= 8;
-    header.size = {littleEndian16(file, 12), littleEndian16(file, 14)};
-    header.bytesPerPixel = (byteAt(file, 16) + 7) / 8;
-    const size_t paletteEntry = (byteAt(file, 7) + 7) / 8;
-    // stb_image skips the index of the first entry as if it were a number of bytes.
-    const size_t palette =
-        header.indexed ? littleEndian16(file, 3) + littleEndian16(file, 5) * paletteEntry : 0;
-    header.pixels = kTgaHeader + byteAt(file, 0) + palette;
-    return header;
-}
-
-/// Whether the packets of a run-length encoded TGA contain `pixels` pixels.
-bool holdsPackets(std::string_view packets, uint64_t pixels, size_t bytesPerPixel) {
-    size_t at = 0;
-    while (pixels > 0) {
-        if (at >= packets.size())
-            return false;
-        const uint32_t packet = byteAt(packets, at);
-        const uint64_t count = (packet & 127u) + 1;
-        at += 1 + bytesPerPixel * ((packet & 128u) != 0 ? 1 : count);
-        pixels -= count < pixels ? count : pixels;
-    }
-    return at <= packets.size();
-}
-
-bool isOneOf(uint32_t value, std::initializer_list<uint32_t> allowed) {
-    for (const uint32_t candidate : allowed)
-        if (value == candidate)
-            return true;
-    return false;
-}
-
 } // namespace
 
 bool isPng(std::string_view file) { return file.starts_with(kPngSignature); }
@@ -86,23 +40,6 @@ bool isPng(std::string_view file) { return file.starts_with(kPngSignature); }
 bool isJpeg(std::string_view file) { return file.starts_with("\xff\xd8\xff"); }
 
 bool isBmp(std::string_view file) { return file.starts_with("BM"); }
-
-bool isTga(std::string_view file) {
-    if (file.size() < kTgaHeader)
-        return false;
-    const uint32_t type = byteAt(file, 2);
-    const uint32_t depth = byteAt(file, 16);
-    switch (byteAt(file, 1)) {
-    case 0:
-        return (isOneOf(type, {2, 10}) && isOneOf(depth, {15, 16, 24, 32})) ||
-               (isOneOf(type, {3, 11}) && isOneOf(depth, {8, 16}));
-    case 1:
-        return isOneOf(type, {1, 9}) && isOneOf(depth, {8, 16}) &&
-               isOneOf(byteAt(file, 7), {8, 15, 16, 24, 32});
-    default:
-        return false;
-    }
-}
 
 ImageSize checkPng(std::string_view file, const std::string& where) {
     ImageSize size;
@@ -148,17 +85,6 @@ ImageSize checkBmp(std::string_view file, const std::string& where) {
         (file.size() - std::min(file.size(), offset)) / size.height < row)
         failCut(where, "BMP");
     return size;
-}
-
-ImageSize checkTga(std::string_view file, const std::string& where) {
-    const TgaHeader header = readTgaHeader(file);
-    const uint64_t pixels = uint64_t{header.size.width} * header.size.height;
-    const std::string_view data = file.substr(std::min(file.size(), header.pixels));
-    const bool complete = header.runLengthEncoded ? holdsPackets(data, pixels, header.bytesPerPixel)
-                                                  : data.size() >= pixels * header.bytesPerPixel;
-    if (!complete)
-        failCut(where, "TGA");
-    return header.size;
 }
 
 } // namespace calotype

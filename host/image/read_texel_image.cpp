@@ -7,10 +7,12 @@
 #include <stb_image.h>
 
 #include "base/error.h"
+#include "image/file_kind.h"
 #include "image/hdr.h"
 #include "image/image_check.h"
 #include "image/jpeg_check.h"
 #include "image/stb_limit.h"
+#include "image/tga.h"
 
 namespace calotype {
 namespace {
@@ -21,11 +23,8 @@ struct StbFormat {
     ImageSize (*check)(std::string_view file, const std::string& where);
 };
 
-/// TGA is last: it has no signature.
-constexpr StbFormat kStbFormats[] = {{"PNG", isPng, checkPng},
-                                     {"JPEG", isJpeg, checkJpeg},
-                                     {"BMP", isBmp, checkBmp},
-                                     {"TGA", isTga, checkTga}};
+constexpr StbFormat kStbFormats[] = {
+    {"PNG", isPng, checkPng}, {"JPEG", isJpeg, checkJpeg}, {"BMP", isBmp, checkBmp}};
 
 struct FreeStb {
     void operator()(void* memory) const { stbi_image_free(memory); }
@@ -105,8 +104,14 @@ TexelImage readTexelImage(std::string_view file, uint32_t largestSide, const std
     for (const StbFormat& format : kStbFormats)
         if (format.matches(file))
             return readWithStb(format, file, largestSide, where);
-    throw SceneError(where, "the file is not an image that can be read: PNG, JPEG, TGA, BMP and "
-                            "HDR are");
+    if (isTga(file)) // last: it has no signature
+        return readTga(file, largestSide, where);
+    const std::string_view kind = kindOfFile(file);
+    throw SceneError(where, kind.empty() ? "the file is not an image that can be read: PNG, JPEG, "
+                                           "TGA, BMP and HDR are"
+                                         : "the file is " + std::string(kind) +
+                                               ", which cannot be read: PNG, JPEG, TGA, BMP and "
+                                               "HDR can");
 }
 
 } // namespace calotype

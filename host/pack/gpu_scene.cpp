@@ -299,6 +299,8 @@ size_t bytesOf(const std::vector<T>& array) {
     return array.size() * sizeof(T);
 }
 
+size_t bytesOf(const std::vector<TexelRows>& images) { return rowCount(images) * kBytesOfTexelRow; }
+
 } // namespace
 
 size_t GpuScene::bytes() const {

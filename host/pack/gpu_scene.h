@@ -7,6 +7,7 @@
 #include "accel/bvh.h"
 #include "accel/primitive.h"
 #include "pack/scene_features.h"
+#include "pack/texel_rows.h"
 #include "scene/scene.h"
 #include "settings/light_choice.h"
 #include "shared/scene_structs.h"
@@ -17,7 +18,7 @@ namespace calotype {
 struct GpuScene {
     // The arrays of shared/binding_table.h: `nodes`, `triangles`, `triangleNormals`, ... There are
     // as many normals and texture coordinates as triangles, or a single unused one. Unused
-    // materials are left blank.
+    // materials are left blank. Texels are those of the scene's images.
 #define BEGIN_BINDINGS
 #define SCENE_ARRAY(id, type, member, people) SCENE_ROWS(id, shared::type, member, people)
 #define SCENE_ROWS(id, type, member, people) std::vector<type> member;

@@ -49,7 +49,7 @@ public:
                SceneFeatures& features)
         : sceneTextures_(sceneTextures), textures_(textures), features_(features) {}
 
-    uint32_t pack(uint32_t texture, uint32_t slotFeature) {
+    uint32_t pack(uint32_t texture, uint32_t slotFeature, bool isCutOut) {
         if (texture == Material::kNoTexture)
             return shared::kNone;
         features_.enabled[slotFeature] = true;
@@ -57,7 +57,9 @@ public:
         features_.enabled[!image                       ? shared::kFeatureCheckers
                           : image->image->holdsBytes() ? shared::kFeatureByteTexels
                                                        : shared::kFeatureFloatTexels] = true;
-        return textures_.add(texture);
+        if (isCutOut)
+            features_.enabled[shared::kFeatureCutOutColors] = true;
+        return textures_.add(texture, isCutOut);
     }
 
 private:
@@ -94,8 +96,10 @@ shared::Material packMaterial(const Material& material, std::span<const Texture>
     SlotPacker slots(sceneTextures, textures, features);
     for (const PackedSlot& slot : kSlots) {
         const bool isRead = slot.isOfEveryKind || hasParameter(kind, slot.texture);
-        packed.*slot.packed =
-            slots.pack(isRead ? material.*slot.texture : Material::kNoTexture, slot.feature);
+        const bool isCutOut =
+            slot.texture == &Material::colorTexture && hasCutOutColors(material, sceneTextures);
+        packed.*slot.packed = slots.pack(isRead ? material.*slot.texture : Material::kNoTexture,
+                                         slot.feature, isCutOut);
     }
     return packed;
 }

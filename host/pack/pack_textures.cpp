@@ -1,13 +1,12 @@
 #include "pack/pack_textures.h"
 
-#include <cstring>
+#include <utility>
 
 #include "base/error.h"
 
 namespace calotype {
 namespace {
 
-constexpr size_t kBytesPerRow = sizeof(glm::uvec4);
 /// Rows are numbered by 32 bits, and fetched by signed integers.
 constexpr size_t kMostRows = size_t{1} << 31;
 
@@ -26,11 +25,13 @@ uint32_t flagsOf(const ImageTexture& texture, TextureFilter filter) {
 
 } // namespace
 
-uint32_t TexturePacker::add(uint32_t texture) {
+uint32_t TexturePacker::add(uint32_t texture, bool isCutOut) {
     const auto next = static_cast<uint32_t>(packed_.size());
-    const auto [entry, isNew] = packedIndex_.try_emplace(texture, next);
-    if (isNew)
+    const auto [entry, isNew] = packedIndex_.try_emplace({texture, isCutOut}, next);
+    if (isNew) {
         packed_.push_back(pack(textures_[texture]));
+        packed_.back().flags |= isCutOut ? shared::kTextureIsCutOut : 0;
+    }
     return entry->second;
 }
 
@@ -45,24 +46,22 @@ shared::Texture TexturePacker::pack(const Texture& texture) {
         return packed;
     }
     const auto& source = std::get<ImageTexture>(texture.source);
-    packed.firstRow = addTexels(*source.image);
+    packed.firstRow = addTexels(source.image);
     packed.width = source.image->width;
     packed.height = source.image->height;
     packed.flags = flagsOf(source, filter_.value_or(source.filter));
     return packed;
 }
 
-uint32_t TexturePacker::addTexels(const TexelImage& image) {
-    const auto [entry, isNew] = firstRow_.try_emplace(&image, static_cast<uint32_t>(rows_.size()));
+uint32_t TexturePacker::addTexels(std::shared_ptr<const TexelImage> image) {
+    const auto [entry, isNew] =
+        firstRow_.try_emplace(image.get(), static_cast<uint32_t>(rowCount_));
     if (!isNew)
         return entry->second;
-    const auto texels = image.holdsBytes() ? std::as_bytes(std::span(image.bytes))
-                                           : std::as_bytes(std::span(image.floats));
-    const size_t rows = (texels.size() + kBytesPerRow - 1) / kBytesPerRow;
-    if (rows_.size() + rows > kMostRows)
+    rows_.push_back({std::move(image)});
+    rowCount_ += rows_.back().count();
+    if (rowCount_ > kMostRows)
         throw GpuError("the scene's textures have more texels than the kernels can address");
-    rows_.resize(rows_.size() + rows);
-    std::memcpy(rows_.data() + entry->second, texels.data(), texels.size());
     return entry->second;
 }
 

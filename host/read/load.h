@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -18,13 +19,24 @@ struct SceneOverride {
     std::string value;
 };
 
-/// What to do if the image file of a texture cannot be found.
+/// What to do if the image file of a texture is missing, or cannot be read.
 enum class MissingTextures : uint8_t { Fail, Warn }; ///< Warn: show magenta instead
+
+/// What a device has for the images of a scene.
+struct DeviceTextureMemory {
+    uint64_t bytes = std::numeric_limits<uint64_t>::max();
+    std::string device = {};   ///< its name
+    bool isHostMemory = false; ///< it is part of the host's memory
+};
 
 struct LoadOptions {
     MissingTextures missingTextures = MissingTextures::Fail;
     std::vector<SceneOverride> overrides;
     std::optional<PictureSize> size; ///< replaces that of the scene's film
+    /// What the device has; called if the images are large, before they are decoded. Empty: no
+    /// device is used.
+    std::function<DeviceTextureMemory()> deviceTextureMemory;
+    std::optional<uint64_t> hostMemory; ///< bytes for images; none: what is available
     /// Called from time to time with a file name such as "chair.obj", and the share done in [0, 1].
     std::function<void(const std::string& what, double done)> onProgress;
 };
@@ -44,7 +56,7 @@ private:
 };
 
 /// Reads a scene with the reader for its file's extension (see sceneReaders) and validates it.
-/// Throws SceneError with the place of the first mistake.
+/// Throws SceneError at the first mistake, and GpuError or Error if images exceed the memory.
 LoadedScene loadScene(const std::string& path, const LoadOptions& options = {});
 
 } // namespace calotype

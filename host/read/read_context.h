@@ -4,13 +4,16 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 
 #include "base/content_hash.h"
+#include "base/find_file.h"
 #include "base/warnings.h"
 #include "read/load.h"
 #include "read/reader.h"
+#include "read/texture_budget.h"
 #include "scene/scene.h"
 
 namespace calotype {
@@ -26,12 +29,23 @@ struct ReadContext {
     Warnings warnings;
     ContentHash hash; ///< of all data that is read
 
-    /// Image files by path, and images made from them (by path and recipe). Each is read once for
-    /// all textures.
+    FileFinder files = {};
+    TextureBudget textureBudget = {};
+
+    /// Image files by path, and images made from them (by path and recipe); nullptr for those that
+    /// cannot be read. Each is read once for all textures.
     std::map<std::string, std::shared_ptr<const TexelImage>> images = {};
+
+    /// Sentences about image files that are missing or cannot be read.
+    std::set<std::string> unreadableTextures = {};
+    static constexpr size_t kMostUnreadableNamed = 4;
 
     /// The scene with its hash, and the warnings.
     SceneAndNotes finish() && {
+        if (unreadableTextures.size() > kMostUnreadableNamed)
+            warn(scene.place, "cannot read " +
+                                  std::to_string(unreadableTextures.size() - kMostUnreadableNamed) +
+                                  " more image files");
         scene.hash = hash.value();
         return {std::move(scene), std::move(warnings)};
     }

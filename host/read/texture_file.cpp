@@ -1,7 +1,9 @@
 #include "read/texture_file.h"
 
+#include <set>
+#include <string>
+
 #include "base/error.h"
-#include "base/find_file.h"
 #include "base/names.h"
 #include "base/read_file.h"
 #include "image/read_texel_image.h"
@@ -12,43 +14,86 @@ namespace {
 /// More than any size that readTexelImage accepts.
 constexpr uintmax_t kLargestFile = uintmax_t{1} << 31;
 
-void failOrWarn(const std::string& name, const std::filesystem::path& directory,
-                const std::string& where, ReadContext& context) {
-    const std::string missing = "there is no image file " + inQuotes(name);
+constexpr const char* kHint = " (--missing-textures warn goes on without it)";
+
+/// Why nothing was found: what is at that very place cannot be opened as a file, or nothing is.
+std::string whyMissing(const std::string& name, const std::filesystem::path& directory) {
+    std::error_code unknown;
+    const std::filesystem::path path = directory / name;
+    if (name.empty() || !std::filesystem::exists(path, unknown))
+        return "there is no image file " + inQuotes(name);
+    if (std::filesystem::is_directory(path, unknown))
+        return "the image file " + inQuotes(name) + " is a folder";
+    return "the image file " + inQuotes(name) + " cannot be opened; check that it may be read";
+}
+
+void warnOnce(const std::string& problem, const std::string& where, ReadContext& context) {
+    std::set<std::string>& known = context.unreadableTextures;
+    const bool isNew = known.insert(where + ": " + problem).second;
+    if (isNew && known.size() <= ReadContext::kMostUnreadableNamed)
+        context.warn(where, problem + "; colours show magenta, and other maps are left out");
+}
+
+TextureFile failOrWarn(const std::string& name, const std::filesystem::path& directory,
+                       const std::string& where, ReadContext& context) {
+    const std::string problem = whyMissing(name, directory);
     if (context.options.missingTextures == MissingTextures::Warn) {
-        context.warn(where, missing + "; colours show magenta, and other maps are left out");
-        return;
+        warnOnce(problem, where, context);
+        return {};
     }
-    const std::string nearest = nearestFile(directory, name);
+    const std::string nearest = context.files.nearest(directory, name);
     throw SceneError(
-        where, missing + (nearest.empty() ? "" : "; did you mean " + inQuotes(nearest) + "?") +
-                   " (--missing-textures warn goes on without it)");
+        where,
+        problem + (nearest.empty() ? "" : "; did you mean " + inQuotes(nearest) + "?") + kHint);
+}
+
+std::shared_ptr<const TexelImage> readImageFile(const std::string& path, const std::string& where,
+                                                ReadContext& context) {
+    std::error_code unknown;
+    const uintmax_t size = std::filesystem::file_size(path, unknown);
+    if (!unknown && size > kLargestFile)
+        throw SceneError(path, "the image file is larger than 2 GiB");
+    context.progress(path, 0.0);
+    const std::string bytes = readFile(path, where);
+    context.hash.add(bytes);
+    auto image =
+        std::make_shared<TexelImage>(readTexelImage(bytes, ImageTexture::kLargestSide, path));
+    context.progress(path, 1.0);
+    return image;
+}
+
+/// The message of an error without its place.
+std::string problemOf(const SceneError& error) {
+    return std::string(error.what()).substr(error.where().size() + 2); // after ": "
 }
 
 } // namespace
 
 TextureFile readTextureFile(const std::string& name, const std::filesystem::path& directory,
                             const std::string& where, ReadContext& context) {
-    const auto found = findFile(directory, name);
-    if (!found) {
-        failOrWarn(name, directory, where, context);
+    const auto found = context.files.find(directory, name);
+    if (!found)
+        return failOrWarn(name, directory, where, context);
+    const std::string path = found->string();
+    const auto cached = context.images.find(path);
+    if (cached != context.images.end())
+        return {path, cached->second};
+    try {
+        return {path, context.images[path] = readImageFile(path, where, context)};
+    } catch (const SceneError& error) {
+        if (context.options.missingTextures == MissingTextures::Fail)
+            throw SceneError(error.where(), problemOf(error) + kHint);
+        warnOnce("the image file " + inQuotes(name) + " cannot be read: " + problemOf(error), where,
+                 context);
+        context.images[path] = nullptr; // so that it is read once
         return {};
     }
-    const std::string path = found->string();
-    std::shared_ptr<const TexelImage>& cached = context.images[path];
-    if (!cached) {
-        std::error_code unknown;
-        const uintmax_t size = std::filesystem::file_size(path, unknown);
-        if (!unknown && size > kLargestFile)
-            throw SceneError(path, "the image file is larger than 2 GiB");
-        context.progress(path, 0.0);
-        const std::string bytes = readFile(path, where);
-        context.hash.add(bytes);
-        cached =
-            std::make_shared<TexelImage>(readTexelImage(bytes, ImageTexture::kLargestSide, path));
-        context.progress(path, 1.0);
-    }
-    return {path, cached};
+}
+
+void countTexture(const std::string& name, const std::filesystem::path& directory, bool isUploaded,
+                  ReadContext& context) {
+    if (const auto path = context.files.find(directory, name))
+        context.textureBudget.add(path->string(), isUploaded);
 }
 
 std::shared_ptr<const TexelImage> magentaImage() {

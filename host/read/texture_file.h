@@ -8,19 +8,24 @@
 
 namespace calotype {
 
-/// The image `name` relative to `directory` (see findFile), and the path at which it was found.
+/// The image `name` relative to `directory` (see FileFinder), and the path at which it was found.
 /// Each file is read, decoded and hashed once.
 struct TextureFile {
     std::string path;
-    std::shared_ptr<const TexelImage> image; ///< nullptr: missing
+    std::shared_ptr<const TexelImage> image; ///< nullptr: missing, or cannot be read
 };
 
-/// Throws SceneError at `where` if the file is missing, unless the options have
-/// MissingTextures::Warn, and at the file's path if it is not an image.
+/// Throws SceneError at `where` if the file is missing, and at the file's path if it cannot be read
+/// as an image; with MissingTextures::Warn in the options, adds a warning instead.
 TextureFile readTextureFile(const std::string& name, const std::filesystem::path& directory,
                             const std::string& where, ReadContext& context);
 
-/// One texel of magenta, shown instead of a missing image.
+/// Counts the image, if it is there, for the budget of the context. Readers do this for all images
+/// of a file and check the budget before they read the first.
+void countTexture(const std::string& name, const std::filesystem::path& directory, bool isUploaded,
+                  ReadContext& context);
+
+/// One texel of magenta, shown instead of an image that is missing or cannot be read.
 std::shared_ptr<const TexelImage> magentaImage();
 
 } // namespace calotype

@@ -14,6 +14,7 @@
 #include "reference/ggx_lobe.h"
 #include "reference/shading_normal.h"
 #include "reference/warp.h"
+#include "scene/material_textures.h"
 #include "scene/texture_lookup.h"
 
 namespace calotype::reference {
@@ -32,7 +33,10 @@ glm::dvec3 colorAt(const Material& material, const std::vector<Texture>& texture
                    const glm::dvec2& uv) {
     if (material.colorTexture == Material::kNoTexture)
         return material.color;
-    const glm::dvec3 texel(lookUp(textures[material.colorTexture], uv, true));
+    const Texture& texture = textures[material.colorTexture];
+    const glm::dvec3 texel = hasCutOutColors(material, textures)
+                                 ? lookUpCutOutColor(texture, uv)
+                                 : glm::dvec3(lookUp(texture, uv, true));
     return material.color * glm::clamp(texel, 0.0, 1.0);
 }
 

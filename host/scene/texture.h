@@ -37,7 +37,7 @@ struct Texture {
     std::variant<ImageTexture, CheckerTexture> source;
     glm::dvec2 scale{1.0}; ///< the source is read at uv * scale + offset
     glm::dvec2 offset{0.0};
-    bool isMissing = false; ///< its file is missing, and magenta replaces it
+    bool isMissing = false; ///< its file is missing or unreadable, and magenta replaces it
 };
 
 } // namespace calotype

@@ -1,6 +1,8 @@
 #include "scene/texture_lookup.h"
 
+#include <array>
 #include <cmath>
+#include <variant>
 
 #include "image/srgb.h"
 
@@ -48,20 +50,41 @@ private:
     bool decodes_;
 };
 
-glm::dvec4 lookUp(const ImageTexture& texture, const glm::dvec2& uv, bool decodes) {
+/// The four texels whose filters reach a position, and where it lies between them.
+struct Neighbours {
+    std::array<glm::dvec4, 4> texels; ///< bottom left, bottom right, top left, top right
+    double toRight = 0.0;
+    double toTop = 0.0;
+};
+
+Neighbours neighboursOf(const ImageTexture& texture, const glm::dvec2& uv, bool decodes) {
     const TexelGrid grid(texture, decodes && texture.decodesColor);
     const double x = uv.x * texture.image->width;
     const double y = uv.y * texture.image->height;
-    if (texture.filter == TextureFilter::Nearest)
-        return grid.at(std::floor(x), std::floor(y));
+    Neighbours result;
+    if (texture.filter == TextureFilter::Nearest) {
+        result.texels.fill(grid.at(std::floor(x), std::floor(y)));
+        return result;
+    }
     const double left = std::floor(x - 0.5);
     const double bottom = std::floor(y - 0.5);
-    const double toRight = x - 0.5 - left;
-    const double toTop = y - 0.5 - bottom;
-    const auto rowAt = [&](double row) {
-        return (1.0 - toRight) * grid.at(left, row) + toRight * grid.at(left + 1.0, row);
+    result.texels = {grid.at(left, bottom), grid.at(left + 1.0, bottom),
+                     grid.at(left, bottom + 1.0), grid.at(left + 1.0, bottom + 1.0)};
+    result.toRight = x - 0.5 - left;
+    result.toTop = y - 0.5 - bottom;
+    return result;
+}
+
+glm::dvec4 filtered(const Neighbours& of) {
+    const auto row = [&](const glm::dvec4& left, const glm::dvec4& right) {
+        return (1.0 - of.toRight) * left + of.toRight * right;
     };
-    return (1.0 - toTop) * rowAt(bottom) + toTop * rowAt(bottom + 1.0);
+    return (1.0 - of.toTop) * row(of.texels[0], of.texels[1]) +
+           of.toTop * row(of.texels[2], of.texels[3]);
+}
+
+glm::dvec4 lookUp(const ImageTexture& texture, const glm::dvec2& uv, bool decodes) {
+    return filtered(neighboursOf(texture, uv, decodes));
 }
 
 glm::dvec4 lookUp(const CheckerTexture& checker, const glm::dvec2& uv, bool) {
@@ -72,13 +95,27 @@ glm::dvec4 lookUp(const CheckerTexture& checker, const glm::dvec2& uv, bool) {
 /// `value`, or 0 if it is too large to multiply with the size of an image.
 double inRange(double value) { return std::abs(value) < 1e300 ? value : 0.0; }
 
+glm::dvec2 sourcePosition(const Texture& texture, const glm::dvec2& uv) {
+    const glm::dvec2 moved = uv * texture.scale + texture.offset;
+    return {inRange(moved.x), inRange(moved.y)};
+}
+
 } // namespace
 
 glm::dvec4 lookUp(const Texture& texture, const glm::dvec2& uv, bool decodes) {
-    const glm::dvec2 moved = uv * texture.scale + texture.offset;
-    const glm::dvec2 finite(inRange(moved.x), inRange(moved.y));
-    return std::visit([&](const auto& source) { return lookUp(source, finite, decodes); },
-                      texture.source);
+    return std::visit(
+        [&](const auto& source) { return lookUp(source, sourcePosition(texture, uv), decodes); },
+        texture.source);
+}
+
+glm::dvec3 lookUpCutOutColor(const Texture& texture, const glm::dvec2& uv) {
+    const auto& image = std::get<ImageTexture>(texture.source);
+    const Neighbours plain = neighboursOf(image, sourcePosition(texture, uv), true);
+    Neighbours weighted = plain;
+    for (glm::dvec4& texel : weighted.texels)
+        texel = glm::dvec4(texel.w * glm::dvec3(texel), texel.w);
+    const glm::dvec4 sum = filtered(weighted);
+    return sum.w > 0.0 ? glm::dvec3(sum) / sum.w : glm::dvec3(filtered(plain));
 }
 
 double lookUpScalar(const Texture& texture, const glm::dvec2& uv) {

@@ -2,7 +2,7 @@
 // supports filtering for images of any number and size.
 //
 // v = 0 is the bottom, row 0 of an image is its top; texel centres are at (i + 1/2) / n. Colours
-// are decoded before they are filtered.
+// are decoded before they are filtered, and weighted by their alpha where it cuts holes.
 #ifndef CALOTYPE_SCENE_TEXTURE_GLSL
 #define CALOTYPE_SCENE_TEXTURE_GLSL
 
@@ -50,6 +50,20 @@ vec4 loadTexel(Texture image, int i, int j, bool decode) {
     return vec4(encoded ? linearFromSrgb(texel.rgb) : texel.rgb, texel.a);
 }
 
+/// `filtered` with the mean colour of four texels, weighted by their alpha too: the colour of a
+/// transparent texel has no meaning. Where all four are transparent, the colour stays.
+vec4 weighByAlpha(vec4 filtered, vec4 texels[4], vec2 f) {
+    vec4 alphas = vec4(texels[0].a, texels[1].a, texels[2].a, texels[3].a);
+    vec4 shares = alphas * vec4((1.0 - f.x) * (1.0 - f.y), f.x * (1.0 - f.y), (1.0 - f.x) * f.y,
+                                f.x * f.y);
+    float total = shares.x + shares.y + shares.z + shares.w;
+    if (!(total > 0.0))
+        return filtered;
+    vec3 sum = shares.x * texels[0].rgb + shares.y * texels[1].rgb + shares.z * texels[2].rgb +
+               shares.w * texels[3].rgb;
+    return vec4(sum / total, filtered.a);
+}
+
 vec4 sampleImage(Texture image, vec2 uv, bool decode) {
     bool nearest = (image.flags & kTextureIsNearest) != 0u;
     vec2 size = vec2(image.width, image.height);
@@ -58,11 +72,15 @@ vec4 sampleImage(Texture image, vec2 uv, bool decode) {
     vec2 f = nearest ? vec2(0.0) : position - corner;
     int i = int(corner.x);
     int j = int(corner.y);
-    vec4 lower =
-        (1.0 - f.x) * loadTexel(image, i, j, decode) + f.x * loadTexel(image, i + 1, j, decode);
-    vec4 upper = (1.0 - f.x) * loadTexel(image, i, j + 1, decode) +
-                 f.x * loadTexel(image, i + 1, j + 1, decode);
-    return (1.0 - f.y) * lower + f.y * upper;
+    vec4 texels[4] =
+        vec4[4](loadTexel(image, i, j, decode), loadTexel(image, i + 1, j, decode),
+                loadTexel(image, i, j + 1, decode), loadTexel(image, i + 1, j + 1, decode));
+    vec4 lower = (1.0 - f.x) * texels[0] + f.x * texels[1];
+    vec4 upper = (1.0 - f.x) * texels[2] + f.x * texels[3];
+    vec4 filtered = (1.0 - f.y) * lower + f.y * upper;
+    if (hasCutOutColors && (image.flags & kTextureIsCutOut) != 0u)
+        return weighByAlpha(filtered, texels, f);
+    return filtered;
 }
 
 /// RGB and alpha at texture coordinates. `decode` makes sRGB-encoded colours linear.

@@ -58,6 +58,7 @@ FEATURE(RoughnessTextures, "roughness textures")
 FEATURE(SpecularTextures, "specular textures")
 FEATURE(NormalMaps, "normal maps")
 FEATURE(Alpha, "alpha")
+FEATURE(CutOutColors, "colors of cut-outs") // of images whose own alpha weighs their texels
 FEATURE(ByteTexels, "8-bit images")
 FEATURE(FloatTexels, "float images")
 FEATURE(Checkers, "checkers")

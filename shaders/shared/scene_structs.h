@@ -39,6 +39,7 @@ CALOTYPE_CONSTANT uint kTextureIsEncoded = 4u;   ///< colours are sRGB-encoded
 CALOTYPE_CONSTANT uint kTextureIsNearest = 8u;
 CALOTYPE_CONSTANT uint kTextureClamps = 16u;
 CALOTYPE_CONSTANT uint kTextureMirrors = 32u;
+CALOTYPE_CONSTANT uint kTextureIsCutOut = 64u; ///< filters weigh the colour of a texel by its alpha
 
 // Light::kind, in the order of the features: kLightTriangle, kLightSphere...
 #define LIGHT(id, sort, people)                                                                    \

@@ -46,9 +46,17 @@ std::array<double, 3> candidates(double x, double error, double count) {
     return {x - error, std::clamp(center, x - error, x + error), x + error};
 }
 
-/// Whether a color is the texture's somewhere within the error of the position.
-testing::AssertionResult isRead(const Texture& texture, const UncertainPosition& at, bool decode,
-                                const glm::vec4& color) {
+using Oracle = glm::dvec4 (*)(const Texture& texture, const glm::dvec2& position, bool decode);
+
+glm::dvec4 oracleCutOut(const Texture& texture, const glm::dvec2& position, bool decode) {
+    return {oracleCutOutColor(texture, position, decode),
+            oracleTexture(texture, position, decode).w};
+}
+
+/// Whether a color is the oracle's somewhere within the error of the position. A mean weighted by
+/// alpha is, like one without, monotonic in each coordinate between texel centres.
+testing::AssertionResult isRead(Oracle oracle, const Texture& texture, const UncertainPosition& at,
+                                bool decode, const glm::vec4& color) {
     const auto* image = std::get_if<ImageTexture>(&texture.source);
     const glm::dvec2 size =
         image ? glm::dvec2(imageOf(texture).width, imageOf(texture).height) : glm::dvec2(1.0);
@@ -56,13 +64,15 @@ testing::AssertionResult isRead(const Texture& texture, const UncertainPosition&
     glm::dvec4 greatest(-1e300);
     for (const double x : candidates(at.position.x, at.error.x, size.x))
         for (const double y : candidates(at.position.y, at.error.y, size.y)) {
-            const glm::dvec4 value = oracleTexture(texture, {x, y}, decode);
+            const glm::dvec4 value = oracle(texture, {x, y}, decode);
             least = glm::min(least, value);
             greatest = glm::max(greatest, value);
         }
     for (int channel = 0; channel < 4; ++channel) {
+        // Eight roundings of a weighted sum, and seven of its weights, by which it is divided.
+        const double roundings = oracle == oracleTexture ? 6.0 : 16.0;
         const double rounding =
-            (6.0 * kRoundoffOfFloat + (decode && channel < 3 ? kDecodingError : 0.0)) *
+            (roundings * kRoundoffOfFloat + (decode && channel < 3 ? kDecodingError : 0.0)) *
             greatest[channel];
         if (!(color[channel] >= least[channel] - rounding &&
               color[channel] <= greatest[channel] + rounding))
@@ -98,7 +108,8 @@ protected:
     /// Reads each texture at coordinates of the test's choice, `count` times, decoded or not. What
     /// is known of a position to less than a quarter of a texel only is left out.
     template <typename Coordinates>
-    void expectAsOracle(const PackedTextures& packed, int count, const Coordinates& uvFor) {
+    void expectAsOracle(const PackedTextures& packed, int count, const Coordinates& uvFor,
+                        Oracle oracle = oracleTexture) {
         RandomNumbers random(101);
         std::vector<shared::TestTextureRead> reads;
         for (uint32_t i = 0; i < packed.textures().size(); ++i)
@@ -114,7 +125,7 @@ protected:
             if (std::max(at.error.x, at.error.y) * texels > 0.25)
                 continue;
             ++compared;
-            ASSERT_TRUE(isRead(texture, at, reads[i].decode != 0, colors[i]))
+            ASSERT_TRUE(isRead(oracle, texture, at, reads[i].decode != 0, colors[i]))
                 << "texture " << reads[i].index << ", read " << i;
         }
         EXPECT_GT(compared, reads.size() / 2);
@@ -129,6 +140,20 @@ glm::vec2 nearTheImage(const Texture& texture, RandomNumbers& random) {
 TEST_F(TextureOracleTest, AgreesNearTheImage) {
     RandomNumbers random(102);
     expectAsOracle(PackedTextures(variedTextures(variedForms(), random)), 500, nearTheImage);
+}
+
+// A third of the texels are transparent.
+TEST_F(TextureOracleTest, WeighsColoursOfCutOutsByAlpha) {
+    RandomNumbers random(109);
+    std::vector<Texture> textures = variedTextures(variedForms(), random);
+    for (Texture& texture : textures) {
+        auto image = std::make_shared<TexelImage>(imageOf(texture));
+        for (size_t i = 0; i < image->texelCount(); ++i)
+            if (random.below(3) == 0)
+                image->holdsBytes() ? image->bytes[4 * i + 3] = 0 : image->floats[4 * i + 3] = 0.0f;
+        std::get<ImageTexture>(texture.source).image = image;
+    }
+    expectAsOracle(PackedTextures(textures, true), 300, nearTheImage, oracleCutOut);
 }
 
 TEST_F(TextureOracleTest, AgreesFarFromTheImage) {

@@ -157,6 +157,11 @@ const CaseOfFeature kSpecularTexturesCase = {
 const CaseOfFeature kNormalMapsCase = {
     floorTexture(&Material::normalMap, noiseTexture(false), MaterialType::Metal)};
 const CaseOfFeature kAlphaCase = {floorTexture(&Material::alphaTexture, noiseTexture(false, true))};
+const CaseOfFeature kCutOutColorsCase = {[](SceneBuilder& builder) {
+    Material material = ofType(MaterialType::Diffuse);
+    material.colorTexture = material.alphaTexture = builder.texture(noiseTexture(false, true));
+    builder.scene().materials[kFloor] = material;
+}};
 const CaseOfFeature kByteTexelsCase = {floorTexture(&Material::colorTexture, noiseTexture(false))};
 const CaseOfFeature kFloatTexelsCase = {floorTexture(&Material::colorTexture, noiseTexture(true))};
 const CaseOfFeature kCheckersCase = {

@@ -37,21 +37,30 @@ glm::dvec4 latticeTexel(const ImageTexture& texture, int64_t i, int64_t j, bool 
     return texel;
 }
 
-glm::dvec4 imageAt(const ImageTexture& texture, const glm::dvec2& position, bool decode) {
+/// Calls `use(share, texel)` for each texel that the filter reaches; the shares sum to 1.
+template <typename Use>
+void forEachTexel(const ImageTexture& texture, const glm::dvec2& position, bool decode,
+                  const Use& use) {
     const double x = position.x * texture.image->width;
     const double y = position.y * texture.image->height;
-    if (texture.filter == TextureFilter::Nearest)
-        return latticeTexel(texture, std::llround(std::floor(x)), std::llround(std::floor(y)),
-                            decode);
-    glm::dvec4 sum(0.0);
+    if (texture.filter == TextureFilter::Nearest) {
+        use(1.0, latticeTexel(texture, std::llround(std::floor(x)), std::llround(std::floor(y)),
+                              decode));
+        return;
+    }
     const int64_t left = std::llround(std::floor(x - 0.5));
     const int64_t bottom = std::llround(std::floor(y - 0.5));
     for (int64_t i = left; i <= left + 1; ++i)
-        for (int64_t j = bottom; j <= bottom + 1; ++j) {
-            const double share = (1.0 - std::abs(x - 0.5 - static_cast<double>(i))) *
-                                 (1.0 - std::abs(y - 0.5 - static_cast<double>(j)));
-            sum += share * latticeTexel(texture, i, j, decode);
-        }
+        for (int64_t j = bottom; j <= bottom + 1; ++j)
+            use((1.0 - std::abs(x - 0.5 - static_cast<double>(i))) *
+                    (1.0 - std::abs(y - 0.5 - static_cast<double>(j))),
+                latticeTexel(texture, i, j, decode));
+}
+
+glm::dvec4 imageAt(const ImageTexture& texture, const glm::dvec2& position, bool decode) {
+    glm::dvec4 sum(0.0);
+    forEachTexel(texture, position, decode,
+                 [&](double share, const glm::dvec4& texel) { sum += share * texel; });
     return sum;
 }
 
@@ -63,6 +72,17 @@ glm::dvec4 oracleTexture(const Texture& texture, const glm::dvec2& position, boo
     const auto& colors = std::get<CheckerTexture>(texture.source).colors;
     const int64_t field = std::llround(std::floor(position.x) + std::floor(position.y));
     return {colors[static_cast<size_t>(remainder(field, 2))], 1.0};
+}
+
+glm::dvec3 oracleCutOutColor(const Texture& texture, const glm::dvec2& position, bool decode) {
+    const auto& source = std::get<ImageTexture>(texture.source);
+    glm::dvec3 sum(0.0);
+    double total = 0.0;
+    forEachTexel(source, position, decode, [&](double share, const glm::dvec4& texel) {
+        sum += share * texel.w * glm::dvec3(texel);
+        total += share * texel.w;
+    });
+    return total > 0.0 ? sum / total : glm::dvec3(imageAt(source, position, decode));
 }
 
 double oracleLinearFromSrgb(double encoded) {

@@ -43,10 +43,11 @@ std::vector<Texture> variedTextures(const std::vector<ImageForm>& forms, RandomN
     return textures;
 }
 
-PackedTextures::PackedTextures(std::vector<Texture> textures) : textures_(std::move(textures)) {
+PackedTextures::PackedTextures(std::vector<Texture> textures, bool isCutOut)
+    : textures_(std::move(textures)) {
     TexturePacker packer(textures_);
     for (uint32_t i = 0; i < textures_.size(); ++i)
-        EXPECT_EQ(packer.add(i), i);
+        EXPECT_EQ(packer.add(i, isCutOut), i);
     scene_.textures = packer.takePacked();
     scene_.texelRows = packer.takeTexelRows();
 }

@@ -34,15 +34,16 @@ const TexelImage& imageOf(const Texture& texture);
 /// Every way to read each of some images, which two textures and more therefore share.
 std::vector<Texture> variedTextures(const std::vector<ImageForm>& forms, RandomNumbers& random);
 
-/// Textures packed together, each under the index that it has in the list.
+/// Textures packed together, each under the index that it has in the list. `isCutOut`: as colours
+/// of materials with holes.
 class PackedTextures {
 public:
-    explicit PackedTextures(std::vector<Texture> textures);
+    explicit PackedTextures(std::vector<Texture> textures, bool isCutOut = false);
 
     std::vector<glm::vec4> read(const std::vector<shared::TestTextureRead>& reads) const;
 
     const std::vector<Texture>& textures() const { return textures_; }
-    size_t rowCount() const { return scene_.texelRows.size(); }
+    size_t rowCount() const { return calotype::rowCount(scene_.texelRows); }
 
 private:
     std::vector<Texture> textures_;

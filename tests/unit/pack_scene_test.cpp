@@ -105,12 +105,12 @@ TEST(PackSceneTest, LeavesOutMaterialsThatNoShapeUses) {
     scene.materials[1].colorTexture = 0;
     EXPECT_EQ(featuresOf(packAsProgram(scene).packed),
               (Features{shared::kFeatureSpheres, shared::kFeatureDiffuse}));
-    EXPECT_LT(packAsProgram(scene).packed.texelRows.size(), 2u);
+    EXPECT_LT(rowCount(packAsProgram(scene).packed.texelRows), 2u);
     scene.shapes[0].material = 1;
     EXPECT_EQ(featuresOf(packAsProgram(scene).packed),
               (Features{shared::kFeatureSpheres, shared::kFeatureGgx, shared::kFeatureMirrors,
                         shared::kFeatureColorTextures, shared::kFeatureByteTexels}));
-    EXPECT_EQ(packAsProgram(scene).packed.texelRows.size(), 64u * 64u / 4u);
+    EXPECT_EQ(rowCount(packAsProgram(scene).packed.texelRows), 64u * 64u / 4u);
 }
 
 // Half of the light samples at most go to the background, which rays that leave find anyway.

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/material_textures.h"
 #include "scene/texture_lookup.h"
 
 namespace calotype {
@@ -135,6 +136,47 @@ TEST(TextureLookupTest, FloatsAreReadAsTheyAre) {
     EXPECT_EQ(lookUpScalar(texture, {0.75, 0.5}), 1000.0);
     EXPECT_EQ(lookUpScalar(texture, {0.5, 0.5}), 0.5 * (1000.0 - 3.5));
     EXPECT_EQ(lookUpScalar(texture, {-5.0, 0.5}), -3.5);
+}
+
+/// A white leaf beside transparent texels of any colour.
+TexelImage leaf(uint8_t alphaBeside) {
+    return {2, 1, {255, 255, 255, 255, 9, 99, 200, alphaBeside}, {}, true, true};
+}
+
+TEST(TextureLookupTest, ColoursOfCutOutsAreThoseOfTheirOpaqueTexels) {
+    const Texture texture = textureOf(leaf(0), TextureWrap::Clamp, TextureFilter::Bilinear);
+    for (const double u : {0.0, 0.25, 0.26, 0.5, 0.7499})
+        EXPECT_EQ(lookUpCutOutColor(texture, {u, 0.5}), glm::dvec3(1.0)) << u;
+    // Alpha itself is filtered plainly.
+    EXPECT_NEAR(lookUp(texture, {0.5, 0.5}, true).w, 0.5, kRounding);
+    // Only transparent texels: their colour is as good as any, and finite.
+    EXPECT_NEAR(lookUpCutOutColor(texture, {0.75, 0.5}).y, lookUp(texture, {0.75, 0.5}, true).y,
+                kRounding);
+}
+
+TEST(TextureLookupTest, ColoursOfCutOutsAreWeightedByAlpha) {
+    // Alphas of 1 and 1/5 with weights of 1/4 and 3/4: shares of 5/8 and 3/8.
+    const Texture texture = textureOf(leaf(51), TextureWrap::Clamp, TextureFilter::Bilinear);
+    const glm::dvec3 beside(lookUp(texture, {0.75, 0.5}, true));
+    const glm::dvec3 color = lookUpCutOutColor(texture, {0.625, 0.5});
+    for (int i = 0; i < 3; ++i)
+        EXPECT_NEAR(color[i], 0.625 + 0.375 * beside[i], kRounding) << i;
+}
+
+TEST(TextureLookupTest, OnlyMaterialsWithHolesHaveColoursOfCutOuts) {
+    const std::vector<Texture> textures = {
+        textureOf(leaf(0), TextureWrap::Clamp, TextureFilter::Bilinear),
+        textureOf(randomBytes(2, 2), TextureWrap::Clamp, TextureFilter::Bilinear)};
+    Material material;
+    EXPECT_FALSE(hasCutOutColors(material, textures));
+    material.colorTexture = 0;
+    EXPECT_FALSE(hasCutOutColors(material, textures)); // "alpha": false
+    material.alphaTexture = 0;
+    EXPECT_TRUE(hasCutOutColors(material, textures));
+    material.alphaTexture = 1; // map_d
+    EXPECT_TRUE(hasCutOutColors(material, textures));
+    material.colorTexture = 1; // an opaque image
+    EXPECT_FALSE(hasCutOutColors(material, textures));
 }
 
 TEST(TextureLookupTest, CheckersTurnWithTheParityOfTheirFields) {

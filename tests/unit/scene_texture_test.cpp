@@ -1,5 +1,6 @@
 // Textures of the scene file, and how their files are found.
 
+#include <algorithm>
 #include <filesystem>
 
 #include "base/find_file.h"
@@ -114,13 +115,68 @@ TEST_F(SceneTextureTest, MissingFilesMayBeMagenta) {
         << scene.warnings[0];
 }
 
-TEST_F(SceneTextureTest, CorruptFilesAreErrorsInAnyCase) {
-    files_.write("bad.png", pngOf({1, 2, 3, 255}).substr(0, 50));
+TEST_F(SceneTextureTest, UnreadableFilesAreLikeMissingOnes) {
+    files_.write("corrupt.png", pngOf({1, 2, 3, 255}).substr(0, 50));
+    files_.write("paint.dds", "DDS |...");
+    files_.write("wide.png", pngFile(ImageTexture::kLargestSide + 1, 1, 8, 6, ""));
+    std::filesystem::create_directories(files_.path("folder.png"));
     LoadOptions options;
     options.missingTextures = MissingTextures::Warn;
-    const SceneError error = errorOf(
-        [&] { files_.load(sceneWithTexture(R"({"type": "image", "file": "bad.png"})"), options); });
-    expectError(error, "bad.png", "incomplete");
+    const std::pair<const char*, const char*> files[] = {{"corrupt.png", "incomplete"},
+                                                         {"paint.dds", "a DDS image"},
+                                                         {"wide.png", "scale it down"},
+                                                         {"folder.png", "is a folder"}};
+    for (const auto& [name, reason] : files) {
+        const std::string texture = R"({"type": "image", "file": ")" + std::string(name) + "\"}";
+        const SceneError error = errorOfLoading(texture);
+        EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("--missing-textures warn"), std::string::npos);
+        const Scene scene = files_.load(sceneWithTexture(texture), options);
+        EXPECT_TRUE(scene.textures.at(0).isMissing);
+        EXPECT_EQ(std::get<ImageTexture>(scene.textures[0].source).image->bytes,
+                  (std::vector<uint8_t>{255, 0, 255, 255}));
+        ASSERT_FALSE(scene.warnings.empty());
+        for (const std::string& part : {std::string(name), std::string(reason),
+                                        std::string("/textures/t/file: "), std::string("magenta")})
+            EXPECT_NE(scene.warnings[0].find(part), std::string::npos) << scene.warnings[0];
+    }
+}
+
+TEST_F(SceneTextureTest, ManyUnreadableFilesAreCounted) {
+    nlohmann::json scene = plainScene();
+    for (int i = 0; i < 30; ++i) {
+        const std::string name = std::to_string(i) + ".png";
+        scene["textures"][name] = {{"type", "image"}, {"file", name}};
+    }
+    LoadOptions options;
+    options.missingTextures = MissingTextures::Warn;
+    const auto warnings = files_.load(scene, options).warnings;
+    EXPECT_EQ(std::ranges::count_if(
+                  warnings, [](const auto& w) { return w.find("no image file") != w.npos; }),
+              4);
+    EXPECT_EQ(std::ranges::count_if(warnings,
+                                    [](const auto& w) {
+                                        return w.find("cannot read 26 more image files") != w.npos;
+                                    }),
+              1);
+}
+
+TEST_F(SceneTextureTest, UnreadableMapsAreLeftOut) {
+    nlohmann::json scene = sceneWithTexture(R"({"type": "image", "file": "none.png"})");
+    scene["materials"]["wall"] = {{"type", "nonmetal"},
+                                  {"color", 0.5},
+                                  {"roughness", "t"},
+                                  {"specular", "t"},
+                                  {"normal_map", "t"}};
+    scene["materials"]["wall"]["displacement"] = {{"texture", "t"}, {"scale", 1}};
+    LoadOptions options;
+    options.missingTextures = MissingTextures::Warn;
+    const Material material = files_.load(scene, options).materials.at(0);
+    for (const uint32_t Material::*slot :
+         {&Material::roughnessTexture, &Material::specularTexture, &Material::normalMap})
+        EXPECT_EQ(material.*slot, Material::kNoTexture);
+    EXPECT_EQ(material.specular, 0.04); // its default
+    EXPECT_EQ(material.roughness, 1.0);
 }
 
 TEST_F(SceneTextureTest, EachFileIsReadOnce) {
@@ -150,7 +206,8 @@ protected:
 
     /// What is found, relative to the folder; empty for nothing.
     std::string find(const std::string& name) {
-        const auto found = findFile(files_.path(""), name);
+        FileFinder finder;
+        const auto found = finder.find(files_.path(""), name);
         return found ? std::filesystem::relative(*found, files_.path("")).string() : "";
     }
 
@@ -184,6 +241,25 @@ TEST_F(FindFileTest, AbsolutePathsOfOtherMachinesEndHere) {
 TEST_F(FindFileTest, FoldersThatDifferInCaseAreBothSearched) {
     std::filesystem::create_directories(files_.path("textures"));
     EXPECT_EQ(find("textures/old wood/oak 1.png"), "Textures/Old Wood/Oak 1.PNG");
+}
+
+// Each folder is listed once, so a name in another case, or of another machine, takes as long as a
+// plain one.
+TEST_F(FindFileTest, ManyNamesInALargeFolderTakeLittleTime) {
+    std::filesystem::create_directories(files_.path("large"));
+    for (int i = 0; i < 2000; ++i)
+        files_.write("large/t" + std::to_string(i) + ".png", "");
+    FileFinder finder;
+    EXPECT_LT(processorSeconds([&] {
+                  for (int i = 0; i < 1000; ++i) {
+                      const std::string number = std::to_string(i);
+                      EXPECT_TRUE(finder.find(files_.path("large"), "T" + number + ".PNG"));
+                      EXPECT_TRUE(
+                          finder.find(files_.path("large"), "C:\\a\\b\\T" + number + ".PNG"));
+                      EXPECT_FALSE(finder.find(files_.path("large"), "gone" + number + ".png"));
+                  }
+              }),
+              1.0);
 }
 
 TEST_F(FindFileTest, OddNamesTakeBoundedTime) {

@@ -54,6 +54,10 @@ struct ParameterReader {
         if (number.texture && namesTexture()) {
             material.*number.texture = findTexture(*value, context);
             material.*number.number = 1.0;
+            if (context.scene.textures[material.*number.texture].isMissing) {
+                material.*number.texture = Material::kNoTexture;
+                material.*number.number = parameter.otherwise.value_or(1.0);
+            }
         } else {
             material.*number.number = value ? value->number() : *parameter.otherwise;
         }

@@ -56,8 +56,10 @@ void readScene(const JsonObject& root, JsonContext& context) {
         scene.render = readRender(*render);
     if (const auto background = root.optional("background"))
         scene.background = readColor(*background, ranges::kRadiance);
-    if (const auto textures = root.optional("textures"))
+    if (const auto textures = root.optional("textures")) {
+        requireMemoryForTextures(*textures, root.optional("materials"), context);
         readTextures(*textures, context);
+    }
     if (const auto materials = root.optional("materials"))
         readMaterials(*materials, context);
     if (const auto shapes = root.optional("shapes"))

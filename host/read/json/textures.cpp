@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -89,7 +91,31 @@ Texture readTexture(const JsonValue& value, const std::string& name, JsonContext
     return texture;
 }
 
+/// Adds the texts in materials that may name textures on the device.
+void addTexts(const nlohmann::json& value, std::set<std::string>& texts) {
+    if (value.is_string())
+        texts.insert(value.get<std::string>());
+    if (value.is_object() || value.is_array())
+        for (const auto& [key, child] : value.items())
+            if (key != "displacement")
+                addTexts(child, texts);
+}
+
 } // namespace
+
+void requireMemoryForTextures(const JsonValue& textures, const std::optional<JsonValue>& materials,
+                              JsonContext& context) {
+    std::set<std::string> uploaded;
+    if (materials)
+        addTexts(materials->json(), uploaded);
+    if (!textures.json().is_object())
+        return;
+    for (const auto& [name, texture] : textures.json().items())
+        if (texture.is_object() && texture.contains("file") && texture["file"].is_string())
+            countTexture(texture["file"].get<std::string>(), context.directory,
+                         uploaded.contains(name), context);
+    context.textureBudget.require(context.options);
+}
 
 JsonType texturesType() { return mapType(anyOf(textureTypes(), "texture")); }
 

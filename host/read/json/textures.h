@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "read/json/json_context.h"
 #include "read/json/object.h"
 
@@ -7,6 +9,12 @@ namespace calotype {
 
 /// The value of the scene file's "textures".
 JsonType texturesType();
+
+/// Checks by the headers of the image files of "textures" that there is memory for them. Those that
+/// "materials" name, except for displacement, are uploaded to the device. Throws like
+/// TextureBudget::require.
+void requireMemoryForTextures(const JsonValue& textures, const std::optional<JsonValue>& materials,
+                              JsonContext& context);
 
 /// Reads the scene file's "textures" into Scene::textures, in the order of their names.
 void readTextures(const JsonValue& value, JsonContext& context);

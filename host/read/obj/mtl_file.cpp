@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "base/error.h"
-#include "base/find_file.h"
 #include "base/lowercase.h"
 #include "base/text_cursor.h"
 #include "read/obj/lines.h"
@@ -121,9 +120,9 @@ bool isFromBlender(std::string_view text) {
 
 class MtlReader {
 public:
-    MtlReader(const std::string& path, bool isFromBlender)
+    MtlReader(const std::string& path, bool isFromBlender, FileFinder& files)
         : directory_(std::filesystem::path(path).parent_path()), path_(path),
-          isFromBlender_(isFromBlender) {}
+          isFromBlender_(isFromBlender), files_(files) {}
 
     void readLine(size_t number, std::string_view line) {
         number_ = number;
@@ -204,14 +203,14 @@ private:
 
     /// A '#' after a blank starts a comment unless it belongs to the name of a file. If no reading
     /// names a file, the shortest one with an extension is used, for the message.
-    std::optional<MtlTexture> parseTexture(std::string_view text) const {
+    std::optional<MtlTexture> parseTexture(std::string_view text) {
         const std::string place = path_ + ":" + std::to_string(number_);
         if (withoutComment(text) == trimmed(text))
             return parseMtlTexture(text, place);
         std::optional<MtlTexture> missing;
         for (const std::string_view reading : readingsOf(text)) {
             const auto texture = parseReading(reading, place);
-            if (texture && findFile(directory_, texture->file))
+            if (texture && files_.find(directory_, texture->file))
                 return texture;
             if (texture && std::filesystem::path(texture->file).has_extension())
                 missing = texture;
@@ -231,15 +230,16 @@ private:
     const std::filesystem::path directory_;
     const std::string& path_;
     const bool isFromBlender_;
+    FileFinder& files_;
     MtlMaterial* current_ = nullptr;
     size_t number_ = 0; ///< of the line at hand
 };
 
 } // namespace
 
-MtlFile parseMtl(std::string_view text, const std::string& path) {
+MtlFile parseMtl(std::string_view text, const std::string& path, FileFinder& files) {
     text = withoutByteOrderMark(text);
-    MtlReader reader(path, isFromBlender(text));
+    MtlReader reader(path, isFromBlender(text), files);
     forEachObjLine(text,
                    [&](size_t number, std::string_view line) { reader.readLine(number, line); });
     return reader.takeFile();

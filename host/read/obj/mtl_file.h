@@ -8,6 +8,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "base/find_file.h"
 #include "read/obj/mtl_texture.h"
 #include "read/obj/occurrences.h"
 
@@ -55,7 +56,8 @@ struct MtlFile {
 
 /// Reads the text of the MTL file at `path` (also the name for messages), ignoring the case of
 /// keywords. A colour of one number is grey; numbers after the third are passed over. Statements
-/// that cannot be read are left out, with a remark.
-MtlFile parseMtl(std::string_view text, const std::string& path);
+/// that cannot be read are left out, with a remark. `files` tells whether a name with a '#' is that
+/// of a texture.
+MtlFile parseMtl(std::string_view text, const std::string& path, FileFinder& files);
 
 } // namespace calotype

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/find_file.h"
 #include "base/lowercase.h"
 #include "base/read_file.h"
 #include "base/text_cursor.h"
@@ -61,7 +60,7 @@ std::shared_ptr<const MtlFile> readMtl(const std::filesystem::path& path, ReadCo
     context.progress(path, 0.0);
     const std::string text = readFile(path.string(), path.string());
     context.hash.add(text);
-    auto file = std::make_shared<const MtlFile>(parseMtl(text, path.string()));
+    auto file = std::make_shared<const MtlFile>(parseMtl(text, path.string(), context.files));
     for (const auto& [remark, occurrences] : file->remarks)
         context.warn(path.string(), remark + ": " + occurrences.text());
     return file;
@@ -94,7 +93,7 @@ public:
 
 private:
     bool read(const std::string& name) {
-        const auto path = name.empty() ? std::nullopt : findFile(directory_, name);
+        const auto path = name.empty() ? std::nullopt : context_.files.find(directory_, name);
         if (!path)
             return false;
         std::shared_ptr<const MtlFile>& file = files_.byPath[truePath(*path)];

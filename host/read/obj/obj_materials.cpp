@@ -5,6 +5,7 @@
 
 #include "base/names.h"
 #include "read/obj/mtl_material.h"
+#include "read/texture_file.h"
 
 namespace calotype {
 namespace {
@@ -66,6 +67,15 @@ public:
         library_ = materials.library.get();
     }
 
+    /// Checks by the headers of the image files that there is memory for them.
+    void requireMemoryForTextures(const NeededMaterials& needed) {
+        for (size_t i = 0; i < obj_.materialNames.size(); ++i)
+            if (const MtlMaterial* mtl = library_->find(obj_.materialNames[i]).material;
+                mtl && needed[i])
+                countTextures(*mtl);
+        context_.textureBudget.require(context_.options);
+    }
+
     /// `i` is an index into ObjFile::materialNames, or their number for faces without a material.
     uint32_t indexOf(size_t i) {
         std::optional<uint32_t>& index = (*indices_)[i];
@@ -90,6 +100,19 @@ public:
     }
 
 private:
+    void countTextures(const MtlMaterial& mtl) {
+        const auto count = [&](const std::optional<MtlTexture>& map, bool isUploaded) {
+            if (map)
+                countTexture(map->file, mtl.directory, isUploaded, context_);
+        };
+        for (const auto* map : {&mtl.diffuseMap, &mtl.alphaMap, &mtl.roughnessMap, &mtl.exponentMap,
+                                &mtl.specularMap, mtl.normalMap ? &mtl.normalMap : &mtl.bumpMap})
+            count(*map, true);
+        // Their means alone are used.
+        for (const auto* map : {&mtl.emissionMap, &mtl.metallicMap, &mtl.reflectionMap})
+            count(*map, false);
+    }
+
     uint32_t addMaterial(size_t i) {
         const auto [name, mtl] = library_->find(obj_.materialNames[i]);
         const std::string text(name);
@@ -140,6 +163,7 @@ std::vector<uint32_t> materialsFromMtl(const ObjFile& obj, const std::string& ob
                                        const NeededMaterials& needed, ObjCache& cache,
                                        ReadContext& context) {
     Maker maker(obj, objPath, cache, context);
+    maker.requireMemoryForTextures(needed);
     std::vector<uint32_t> result;
     for (size_t i = 0; i < needed.size(); ++i)
         result.push_back(needed[i] ? maker.indexOf(i) : 0);
