@@ -6,8 +6,10 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/content_hash.h"
+#include "base/read_file.h"
 #include "base/warnings.h"
 #include "read/load.h"
 #include "read/reader.h"
@@ -24,7 +26,8 @@ struct ReadContext {
     const LoadOptions& options;
     Scene scene;
     Warnings warnings;
-    ContentHash hash; ///< of all data that is read
+    ContentHash hash;               ///< of all data that is read
+    std::vector<std::string> files; ///< that are read
 
     /// Image files by path, and images made from them (by path and recipe). Each is read once for
     /// all textures.
@@ -33,7 +36,17 @@ struct ReadContext {
     /// The scene with its hash, and the warnings.
     SceneAndNotes finish() && {
         scene.hash = hash.value();
-        return {std::move(scene), std::move(warnings)};
+        return {std::move(scene), std::move(warnings), std::move(files)};
+    }
+
+    /// The bytes of a file that the scene names. They belong to the scene's hash, and the file to
+    /// those that no output may replace, so files are read by this function only. Throws SceneError
+    /// at `where` if it cannot be read.
+    std::string read(const std::string& path, const std::string& where) {
+        files.push_back(path);
+        std::string bytes = readFile(path, where);
+        hash.add(bytes);
+        return bytes;
     }
 
     uint32_t addMaterial(Material material) {

@@ -3,7 +3,6 @@
 #include "base/error.h"
 #include "base/find_file.h"
 #include "base/names.h"
-#include "base/read_file.h"
 #include "image/read_texel_image.h"
 
 namespace calotype {
@@ -42,8 +41,7 @@ TextureFile readTextureFile(const std::string& name, const std::filesystem::path
         if (!unknown && size > kLargestFile)
             throw SceneError(path, "the image file is larger than 2 GiB");
         context.progress(path, 0.0);
-        const std::string bytes = readFile(path, where);
-        context.hash.add(bytes);
+        const std::string bytes = context.read(path, where);
         cached =
             std::make_shared<TexelImage>(readTexelImage(bytes, ImageTexture::kLargestSide, path));
         context.progress(path, 1.0);

@@ -5,7 +5,6 @@
 #include "base/error.h"
 #include "base/find_file.h"
 #include "base/names.h"
-#include "base/read_file.h"
 #include "read/obj/mtl_material.h"
 
 namespace calotype {
@@ -67,8 +66,7 @@ public:
 
 private:
     void read(const std::filesystem::path& path, ReadContext& context) {
-        const std::string text = readFile(path.string(), path.string());
-        context.hash.add(text);
+        const std::string text = context.read(path.string(), path.string());
         materials_.merge(parseMtl(text, path.string()));
     }
 
