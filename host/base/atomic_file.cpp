@@ -3,19 +3,28 @@
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <string>
 #include <system_error>
 
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <sys/xattr.h>
 #include <unistd.h>
 
+#include "base/content_hash.h"
 #include "base/error.h"
+#include "base/hexadecimal.h"
 
 namespace calotype {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kOurMark = ".calotype-";
+constexpr const char* kTemporaryEnd = ".tmp";
+/// Of a file, so that what is added fits into the 255 bytes of Linux.
+constexpr size_t kLongestName = 200;
 
 [[noreturn]] void fail(const fs::path& path, const std::string& problem, int error,
                        const std::string& advice) {
@@ -31,11 +40,49 @@ fs::path folderOf(const fs::path& path) {
     return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-/// The target of `path` after symbolic links, so that replacing the file keeps the link.
+/// As many links as Linux follows.
+constexpr int kMostLinks = 40;
+
+/// The target of `path` after symbolic links, so that replacing the file keeps the link. The target
+/// need not exist.
 fs::path followLinks(const fs::path& path) {
-    std::error_code missing;
-    fs::path target = fs::canonical(path, missing);
-    return missing ? path : target;
+    std::error_code ignored;
+    if (fs::path target = fs::canonical(path, ignored); !ignored)
+        return target;
+    if (fs::exists(path, ignored)) // such as /dev/stdout, where that is a pipe
+        return path;
+    fs::path target = path;
+    for (int links = 0; links < kMostLinks && fs::is_symlink(target, ignored); ++links)
+        target = folderOf(target) / fs::read_symlink(target, ignored);
+    return target;
+}
+
+/// What is copied from the file that is replaced. Only root may give a file to another owner, so
+/// each of these may fail, and then the new file keeps what it has.
+void keepOwnerAndMode(const struct stat& replaced, int descriptor) {
+    struct stat made {};
+    if (fstat(descriptor, &made) != 0)
+        return;
+    const bool isSameOwner = made.st_uid == replaced.st_uid && made.st_gid == replaced.st_gid;
+    const bool hasGroup = isSameOwner ||
+                          fchown(descriptor, replaced.st_uid, replaced.st_gid) == 0 ||
+                          fchown(descriptor, static_cast<uid_t>(-1), replaced.st_gid) == 0;
+    // The rights of one group are not those of another.
+    const mode_t rights = hasGroup ? 07777 : 07707;
+    (void)fchmod(descriptor, replaced.st_mode & rights);
+}
+
+/// Such as access control lists.
+void keepAttributes(const fs::path& replaced, int descriptor) {
+    std::string names(1 << 16, '\0'); // the most that Linux lists
+    const ssize_t listed = listxattr(replaced.c_str(), names.data(), names.size());
+    names.resize(listed > 0 ? static_cast<size_t>(listed) : 0);
+    std::string value(1 << 16, '\0'); // the most that Linux keeps
+    for (size_t at = 0; at < names.size(); at += std::strlen(&names[at]) + 1) {
+        const ssize_t size = getxattr(replaced.c_str(), &names[at], value.data(), value.size());
+        if (size >= 0)
+            (void)fsetxattr(descriptor, &names[at], value.data(), static_cast<size_t>(size), 0);
+    }
 }
 
 enum class Target { File, DeviceOrPipe };
@@ -82,6 +129,8 @@ public:
         }
     }
 
+    int number() const { return descriptor_; }
+
     /// Writes the bytes to the disk before the rename, in case of a power failure.
     void flush() {
         if (::fsync(descriptor_) == 0)
@@ -108,7 +157,12 @@ private:
 class TemporaryFile {
 public:
     explicit TemporaryFile(const fs::path& path)
-        : path_(path), name_(folderOf(path)), output_(path, create()) {}
+        : path_(path), isReplacing_(stat(path.c_str(), &replaced_) == 0), output_(path, create()) {
+        if (!isReplacing_)
+            return;
+        keepOwnerAndMode(replaced_, output_.number());
+        keepAttributes(path, output_.number());
+    }
     TemporaryFile(const TemporaryFile&) = delete;
     TemporaryFile& operator=(const TemporaryFile&) = delete;
     ~TemporaryFile() {
@@ -129,21 +183,24 @@ public:
 private:
     int create() {
         static std::atomic<unsigned> counter = 0;
-        const fs::path folder = name_;
+        // Until it has the rights of the file that it replaces, nobody else reads it.
+        const mode_t mode = isReplacing_ ? 0600 : 0666;
         for (;;) {
-            name_ = folder / (".calotype-" + std::to_string(::getpid()) + "-" +
-                              std::to_string(counter++) + ".tmp");
+            name_ = fileBeside(path_, std::to_string(::getpid()) + "-" + std::to_string(counter++) +
+                                          kTemporaryEnd);
             const int descriptor =
-                ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+                ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
             if (descriptor >= 0)
                 return descriptor;
             if (errno != EEXIST)
-                fail(path_, "no file can be made in '" + folder.string() + "'", errno,
+                fail(path_, "no file can be made in '" + folderOf(path_).string() + "'", errno,
                      "check the folder's permissions or write elsewhere");
         }
     }
 
     const fs::path& path_;
+    struct stat replaced_ {};
+    bool isReplacing_;
     fs::path name_;
     OutputDescriptor output_;
     bool renamed_ = false;
@@ -159,6 +216,34 @@ void writeToDeviceOrPipe(const fs::path& path, std::string_view bytes) {
 }
 
 } // namespace
+
+fs::path outputTarget(const fs::path& path) {
+    std::error_code unresolved; // then it cannot be written either
+    const fs::path target = followLinks(path);
+    const fs::path whole = fs::weakly_canonical(fs::absolute(target, unresolved), unresolved);
+    return unresolved ? target : whole;
+}
+
+fs::path fileBeside(const fs::path& target, const std::string& ending) {
+    std::string name = target.filename().string();
+    if (name.size() > kLongestName) {
+        ContentHash hash;
+        hash.add(name);
+        name = hexadecimal(hash.value());
+    }
+    return folderOf(target) / ("." + name + kOurMark + ending);
+}
+
+void removeLeftovers(const fs::path& target) {
+    const std::string start = fileBeside(target, "").filename().string();
+    std::error_code stop;
+    for (fs::directory_iterator entry(folderOf(target), stop), end; !stop && entry != end;
+         entry.increment(stop)) {
+        const std::string name = entry->path().filename().string();
+        if (name.starts_with(start) && name.ends_with(kTemporaryEnd))
+            ::unlink(entry->path().c_str());
+    }
+}
 
 void writeFileAtomically(const fs::path& path, std::string_view bytes) {
     const fs::path target = followLinks(path);

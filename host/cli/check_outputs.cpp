@@ -4,7 +4,6 @@
 #include <filesystem>
 
 #include "base/error.h"
-#include "cli/output_claims.h"
 #include "engine/render_job.h"
 #include "engine/scene_settings.h"
 #include "film/develop.h"
@@ -22,12 +21,12 @@ void requireExrFor(const LayerList& layers, const std::vector<std::string>& outp
 
 } // namespace
 
-void checkOutputs(const RenderOptions& options) {
+OutputClaims checkOutputs(const RenderOptions& options) {
     OutputClaims claims;
     claims.reserve(options.scene.path);
     const FilmOptions& film = options.film;
     const OutputOptions& output = options.output;
-    if (!film.film.empty() && film.resume != film.film) // else it is claimed below as output
+    if (!film.film.empty() && !isSameFile(film.resume, film.film)) // else it is an output
         claims.reserve(film.resume);
     if (options.settings.has("adaptive") && options.settings.has("samples"))
         throwSamplesOfAdaptive();
@@ -44,6 +43,12 @@ void checkOutputs(const RenderOptions& options) {
     requireExrFor(output.layers, output.pictures);
     if (film.checkpointSeconds && !film.keepsFilm())
         throw UsageError("--checkpoint is how often a film is kept, and none is; add --film FILE");
+    if (film.overwrites && film.film.empty())
+        throw UsageError("--overwrite begins the film of --film anew, and there is none; add "
+                         "--film FILE, or leave it out");
+    if (film.overwrites && isSameFile(film.resume, film.film))
+        throw UsageError("--overwrite begins the film anew, and --resume continues it; leave out "
+                         "one of them");
     if (film.keepsFilm())
         claims.claimFilm(film.path());
     if (!output.statsFile.empty())
@@ -51,10 +56,12 @@ void checkOutputs(const RenderOptions& options) {
     if (!output.previewFile.empty() &&
         (output.pictures.empty() || output.previewFile != output.pictures.front()))
         claims.claimPicture(output.previewFile);
+    return claims;
 }
 
-void checkOutputs(const MergeOptions& options) {
+OutputClaims checkOutputs(const MergeOptions& options) {
     OutputClaims claims;
+    claims.reserve(options.films);
     for (const std::string& path : options.outputs)
         if (imageFormatOf(path))
             claims.claimPicture(path);
@@ -75,6 +82,7 @@ void checkOutputs(const MergeOptions& options) {
             throw UsageError(
                 "--" + stage->name +
                 " needs layers of first hits, and films hold none; use it with render");
+    return claims;
 }
 
 } // namespace calotype

@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "base/error.h"
+#include "base/output_lock.h"
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
@@ -43,6 +44,10 @@ int withExitCode(const std::function<int()>& action) {
         return fail(error.what(), kExitScene);
     } catch (const GpuError& error) {
         return fail(error.what(), kExitDevice);
+    } catch (const OutputBusyError& error) {
+        return fail(error.what(), kExitBusy);
+    } catch (const OutputError& error) {
+        return fail(error.what(), kExitOutput);
     } catch (const Error& error) {
         return fail(error.what(), kExitOther);
     } catch (const std::bad_alloc&) {
@@ -89,10 +94,18 @@ CLI::App& addMergeCommand(CLI::App& app, MergeOptions& options) {
         ->type_name("FILE")
         ->expected(1)
         ->take_all();
+    addParsed(command, "--require", options.required, parseSampleRange,
+              "Exit with 5, and write nothing, if the films lack any of these samples",
+              "FIRST:END");
+    command
+        .add_flag("--overwrite", options.overwrites,
+                  "Replace an existing film even if it holds samples that these films lack")
+        ->multi_option_policy(CLI::MultiOptionPolicy::Throw);
     addLayerOption(command, options.layers, layersOfFilms());
     addStageOptions(command, options.stages);
     addDisplayOptions(command, options.display);
-    command.footer("Example: calotype merge first.film second.film -o both.film -o both.exr");
+    command.footer("Prints which samples the films hold, and which are missing in between.\n\n"
+                   "Example: calotype merge first.film second.film -o both.film -o both.exr");
     return command;
 }
 
@@ -163,9 +176,10 @@ CLI::App& addBenchCommand(CLI::App& app, BenchOptions& options) {
 
 int parseAndRun(int argc, char** argv) {
     CLI::App app("Calotype: a headless path tracer on Vulkan compute.\n"
-                 "Exit codes: 0 done, 1 interrupted or an output that cannot be written, 2 wrong "
-                 "usage,\n3 bad scene or input file, 4 device or driver, 5 pictures differ by more "
-                 "than --max-relmse.",
+                 "Exit codes: 0 done, 1 interrupted or anything else, 2 wrong usage,\n3 bad scene "
+                 "or input file, 4 device or driver, 5 pictures differ by more than\n--max-relmse "
+                 "or films lack samples of --require, 6 an output that cannot be written,\n7 "
+                 "another process writes an output.",
                  "calotype");
     app.set_version_flag("--version", CALOTYPE_VERSION);
     bool wantsMarkdown = false;

@@ -2,11 +2,11 @@
 
 #include <cinttypes>
 #include <cstdio>
-#include <filesystem>
 
-#include "base/atomic_file.h"
 #include "base/error.h"
 #include "cli/exit_code.h"
+#include "cli/interrupt.h"
+#include "cli/output_claims.h"
 #include "image/difference.h"
 #include "image/difference_picture.h"
 #include "image/image_format.h"
@@ -17,16 +17,15 @@ namespace calotype {
 namespace {
 
 /// Checks before reading everything that could prevent writing the picture.
-void checkDifferenceFile(const CompareOptions& options) {
+OutputClaims checkDifferenceFile(const CompareOptions& options) {
     const std::string& path = options.differenceFile;
     if (imageFormatOf(path) != ImageFormat::Png)
         throw UsageError("--diff '" + path + "' is not a PNG; name it .png");
-    for (const std::string& input : {options.a, options.b}) {
-        std::error_code missing; // a missing file is a different file
-        if (std::filesystem::equivalent(path, input, missing))
-            throw UsageError("--diff '" + path + "' is one of the pictures to compare");
-    }
-    checkWritable(path);
+    OutputClaims claims;
+    claims.reserve(options.a);
+    claims.reserve(options.b);
+    claims.claim(path);
+    return claims;
 }
 
 void printPicture(const char* label, const std::string& path, const Image& image,
@@ -79,10 +78,14 @@ bool isWithin(double maxRelativeMse, const ImageDifference& difference) {
 
 int compareCommand(const CompareOptions& options) {
     const bool isDrawn = !options.differenceFile.empty();
+    catchInterrupts();
+    OutputClaims claims;
     if (isDrawn)
-        checkDifferenceFile(options);
+        claims = checkDifferenceFile(options);
     const Image a = readImage(options.a);
+    throwIfInterrupted("interrupted; nothing was compared");
     const Image b = readImage(options.b);
+    throwIfInterrupted("interrupted; nothing was compared");
     requireComparable(a, options.a, b, options.b);
     const ImageDifference difference = measureDifference(a, b);
     printPicture("A", options.a, a, difference.infiniteInA);

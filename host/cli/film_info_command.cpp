@@ -49,9 +49,8 @@ void print(const KeptFilm& kept) {
     std::printf("film           %u x %u pixels\n", film.width(), film.height());
     std::printf("samples        %llu per pixel",
                 static_cast<unsigned long long>(film.samplesPerPixel()));
-    for (const BlockRange& range : film.blocks().ranges())
-        std::printf("%s%s", range == film.blocks().ranges().front() ? ": " : ", ",
-                    sampleText(range).c_str());
+    if (!film.blocks().empty())
+        std::printf(": %s", sampleText(film.blocks()).c_str());
     std::printf("\n");
     if (const auto error = estimateError(film))
         std::printf("error          %s%s\n", percentText(error->relative).c_str(),

@@ -13,6 +13,12 @@ namespace {
 /// its process group. A user cannot press Ctrl-C twice so fast.
 constexpr double kSameSignal = 0.2;
 
+constexpr int kEndingSignals[] = {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGUSR1, SIGUSR2};
+
+/// Whether it ends the program at once the second time. SIGXCPU comes every second, and SIGHUP from
+/// both the shell and the system.
+bool isImpatient(int signal) { return signal == SIGINT || signal == SIGTERM; }
+
 volatile std::sig_atomic_t interrupted = 0;
 timespec firstSignalAt; // used by the handler only, which cannot interrupt itself
 
@@ -25,9 +31,14 @@ void onSignal(int signal) {
     clock_gettime(CLOCK_MONOTONIC, &now);
     if (!interrupted)
         firstSignalAt = now;
-    else if (secondsBetween(firstSignalAt, now) > kSameSignal)
+    else if (isImpatient(signal) && secondsBetween(firstSignalAt, now) > kSameSignal)
         _exit(128 + signal);
     interrupted = 1;
+}
+
+bool isIgnored(int signal) {
+    struct sigaction action {};
+    return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
 }
 
 } // namespace
@@ -36,10 +47,11 @@ void catchInterrupts() {
     struct sigaction action {};
     action.sa_handler = onSignal;
     action.sa_flags = SA_RESTART;
-    sigaddset(&action.sa_mask, SIGINT);
-    sigaddset(&action.sa_mask, SIGTERM);
-    sigaction(SIGINT, &action, nullptr);
-    sigaction(SIGTERM, &action, nullptr);
+    for (const int signal : kEndingSignals)
+        sigaddset(&action.sa_mask, signal);
+    for (const int signal : kEndingSignals)
+        if (!isIgnored(signal))
+            sigaction(signal, &action, nullptr);
     // Then exceeding a file size limit, or a closed pipe, is an error of the write, with cleanup.
     std::signal(SIGXFSZ, SIG_IGN);
     std::signal(SIGPIPE, SIG_IGN);
@@ -50,6 +62,11 @@ bool isInterrupted() { return interrupted != 0; }
 void throwIfInterrupted() {
     if (isInterrupted())
         throw Interrupted();
+}
+
+void throwIfInterrupted(const char* sentence) {
+    if (isInterrupted())
+        throw Error(sentence);
 }
 
 } // namespace calotype

@@ -1,6 +1,11 @@
+#include <cinttypes>
+#include <cstdio>
+
+#include "base/output_failures.h"
 #include "cli/check_outputs.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
+#include "cli/interrupt.h"
 #include "engine/exr_metadata.h"
 #include "engine/merge_films.h"
 #include "film/develop.h"
@@ -12,23 +17,55 @@
 namespace calotype {
 namespace {
 
+constexpr const char* kInterrupted = "interrupted; nothing was written";
+
 Picture pictureOf(const KeptFilm& kept, const MergeOptions& options) {
     Picture picture = develop(kept.film.picture(), options.layers, options.stages,
                               [&](const Layer& layer) { return channelsOf(layer, kept.film); });
-    describe(picture, kept.label, kept.film.samplesPerPixel(), 0.0);
+    describe(picture, kept.label, kept.film.samplesPerPixel());
     return picture;
+}
+
+/// Which samples the films hold, and which are missing in between.
+void printSamples(const Film& film) {
+    std::printf("samples   %" PRIu64 " per pixel%s%s\n", film.samplesPerPixel(),
+                film.blocks().empty() ? "" : ": ", sampleText(film.blocks()).c_str());
+    if (const BlockRanges gaps = film.blocks().gaps(); !gaps.empty())
+        std::printf("missing   %s\n", sampleText(gaps).c_str());
+}
+
+/// Whether the film holds all required samples; if not, prints which it lacks.
+bool holdsRequired(const Film& film, const BlockRange& required) {
+    const BlockRanges missing = film.blocks().missingFrom(required);
+    if (!missing.empty())
+        std::fprintf(stderr,
+                     "calotype: the films lack samples of --require %s: %s; nothing was written\n",
+                     sampleText(required).c_str(), sampleText(missing).c_str());
+    return missing.empty();
 }
 
 } // namespace
 
 int mergeCommand(const MergeOptions& options) {
-    checkOutputs(options);
-    const KeptFilm joined = mergeFilms(options.films);
+    catchInterrupts();
+    const OutputClaims claims = checkOutputs(options);
+    const KeptFilm joined = mergeFilms(options.films, [] { throwIfInterrupted(kInterrupted); });
+    throwIfInterrupted(kInterrupted);
+    printSamples(joined.film);
+    if (options.required && !holdsRequired(joined.film, *options.required))
+        return kExitDiffers;
     for (const std::string& path : options.outputs)
-        if (imageFormatOf(path))
-            writePicture(path, pictureOf(joined, options), options.display);
-        else
-            writeFilm(path, joined.label, joined.film);
+        if (!imageFormatOf(path) && !options.overwrites)
+            requireNoLess(path, joined);
+    OutputFailures failures;
+    for (const std::string& path : options.outputs)
+        failures.attempt([&] {
+            if (imageFormatOf(path))
+                writePicture(path, pictureOf(joined, options), options.display);
+            else
+                writeFilm(path, joined.label, joined.film);
+        });
+    failures.throwIfAny();
     return kExitDone;
 }
 

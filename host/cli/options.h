@@ -7,6 +7,7 @@
 
 #include "engine/film_options.h"
 #include "engine/output_options.h"
+#include "film/block_ranges.h"
 #include "film/display_transform.h"
 #include "film/stages.h"
 #include "image/layer.h"
@@ -53,6 +54,8 @@ struct MergeOptions {
     DisplayTransform display;
     LayerList layers; ///< of the EXR outputs, beside the picture
     StageList stages;
+    std::optional<BlockRange> required; ///< that the films must hold
+    bool overwrites = false;            ///< replaces an existing film also by one of fewer samples
 };
 
 struct StudyOptions {

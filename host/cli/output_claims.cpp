@@ -1,5 +1,8 @@
 #include "cli/output_claims.h"
 
+#include <algorithm>
+#include <filesystem>
+
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "film/film_file.h"
@@ -8,29 +11,48 @@
 namespace calotype {
 namespace {
 
-/// A path that cannot be resolved cannot be written either, and is returned unchanged.
-std::filesystem::path resolved(const std::string& path) {
-    std::error_code ignored;
-    return std::filesystem::weakly_canonical(path, ignored);
-}
-
 bool isEmptyFile(const std::string& path) {
     std::error_code ignored;
     return std::filesystem::is_regular_file(path, ignored) &&
            std::filesystem::file_size(path, ignored) == 0;
 }
 
+[[noreturn]] void failReadAndWritten(const std::string& output, const std::string& input) {
+    throw UsageError("the output '" + output + "' is read by this command" +
+                     (input == output ? "" : ", as '" + input + "'") + "; write to another file");
+}
+
 } // namespace
 
+bool isSameFile(const std::string& a, const std::string& b) {
+    std::error_code missing; // a missing file is a different file
+    return std::filesystem::equivalent(a, b, missing) && !missing;
+}
+
 void OutputClaims::reserve(const std::string& path) {
-    if (!path.empty())
-        taken_.insert(resolved(path));
+    if (path.empty())
+        return;
+    for (const Output& output : outputs_)
+        if (isSameFile(output.path, path))
+            failReadAndWritten(output.path, path);
+    inputs_.push_back(path);
+}
+
+void OutputClaims::reserve(std::span<const std::string> paths) {
+    for (const std::string& path : paths)
+        reserve(path);
 }
 
 void OutputClaims::claim(const std::string& path) {
-    if (!taken_.insert(resolved(path)).second)
-        throw UsageError("'" + path + "' is read by this command, or is given twice");
+    for (const std::string& input : inputs_)
+        if (isSameFile(path, input))
+            failReadAndWritten(path, input);
+    std::filesystem::path target = outputTarget(path);
+    if (std::ranges::find(outputs_, target, &Output::target) != outputs_.end())
+        throw UsageError("the output '" + path + "' is given twice");
     checkWritable(path);
+    OutputLock lock(target, path);
+    outputs_.push_back({path, std::move(target), std::move(lock)});
 }
 
 void OutputClaims::claimPicture(const std::string& path) {

@@ -10,7 +10,9 @@
 
 #include "base/error.h"
 #include "base/names.h"
+#include "settings/settings_table.h"
 #include "settings/value_text.h"
+#include "shared/limits.h"
 
 namespace calotype {
 namespace {
@@ -90,6 +92,15 @@ double parseDuration(const std::string& option, const std::string& text) {
     if (!seconds)
         fail(option, text, "a time above 0, such as 30s, 5m or 2h");
     return *seconds;
+}
+
+BlockRange parseSampleRange(const std::string& text) {
+    const Setting& samples = *findSetting("samples");
+    RenderSettings settings;
+    if (!samples.read(text, settings))
+        fail("--require", text, samples.expected);
+    const uint32_t end = settings.firstSample + settings.samplesPerPixel;
+    return {settings.firstSample / shared::kSamplesPerBlock, end / shared::kSamplesPerBlock};
 }
 
 double parseMaxRelativeMse(const std::string& text) {

@@ -16,6 +16,7 @@ MissingTextures parseMissingTextures(const std::string& text); ///< --missing-te
 ToneMap parseToneMap(const std::string& text);                 ///< --tonemap
 float parseExposure(const std::string& text);                  ///< --exposure "-1.5", in stops
 double parseMaxRelativeMse(const std::string& text);           ///< --max-relmse "1e-3"
+BlockRange parseSampleRange(const std::string& text);          ///< --require "0:1024"
 
 LayerList parseLayers(const std::string& text); ///< --aov "albedo,normal,error"
 /// "30s", "1.5m", "2h", or a number of seconds; above 0. Messages name `option`.

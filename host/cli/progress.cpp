@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <unistd.h>
 
 #include "base/number_text.h"
 #include "base/stopwatch.h"
+#include "cli/terminal.h"
 
 namespace calotype {
 namespace {
@@ -14,41 +14,54 @@ namespace {
 constexpr std::chrono::milliseconds kBarInterval(100);
 constexpr std::chrono::seconds kLineInterval(10);
 constexpr std::chrono::seconds kQuietStart(1); ///< before loading and building are shown
+constexpr size_t kLongestLine = 1000;          ///< where there is no terminal
+
+/// Which parts of a line a narrow terminal lacks first.
+enum Rank : int { kPercent, kSamples, kBar, kLeft, kError, kElapsed, kSampleRate, kRayRate };
 
 std::string bar(double done) {
-    constexpr int kWidth = 24;
+    constexpr int kWidth = 12;
     const int filled = static_cast<int>(std::floor(kWidth * std::clamp(done, 0.0, 1.0)));
     return '[' + std::string(filled, '#') + std::string(kWidth - filled, '.') + ']';
+}
+
+std::string percentDone(double done) {
+    std::string percent = std::to_string(static_cast<int>(100.0 * std::clamp(done, 0.0, 1.0)));
+    return std::string(3 - percent.size(), ' ') + percent + " %";
 }
 
 } // namespace
 
 Progress::Progress(bool quiet, const RenderPlan& plan)
-    : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0), plan_(plan) {}
+    : quiet_(quiet), redraws_(canRedrawLines()), plan_(plan) {}
 
 Progress::~Progress() { clear(); }
 
 bool Progress::isDue() {
     const Clock::time_point now = Clock::now();
-    if (quiet_ || now - lastShown_ < (terminal_ ? Clock::duration(kBarInterval) : kLineInterval))
+    if (quiet_ || now - lastShown_ < (redraws_ ? Clock::duration(kBarInterval) : kLineInterval))
         return false;
     lastShown_ = now;
     return true;
 }
 
-void Progress::show(double done, const std::string& text) {
-    const int percent = static_cast<int>(100.0 * std::clamp(done, 0.0, 1.0));
-    if (terminal_)
-        std::fprintf(stderr, "\r\033[K%s %3d %%  %s", bar(done).c_str(), percent, text.c_str());
-    else
-        std::fprintf(stderr, "%3d %%  %s\n", percent, text.c_str());
+void Progress::show(double done, std::vector<LinePart> parts) {
+    parts.insert(parts.begin(), {percentDone(done), kPercent});
+    if (redraws_) {
+        parts.insert(parts.begin(), {bar(done), kBar});
+        // The last column stays free: some terminals begin the next line there.
+        const size_t columns = std::max<size_t>(terminalColumns(), 2) - 1;
+        std::fprintf(stderr, "\r\033[K%s", fittedLine(std::move(parts), columns).c_str());
+    } else {
+        std::fprintf(stderr, "%s\n", fittedLine(std::move(parts), kLongestLine).c_str());
+    }
     std::fflush(stderr);
-    barShown_ = terminal_;
+    barShown_ = redraws_;
 }
 
 void Progress::step(const std::string& what, double done) {
     if (Clock::now() - start_ > kQuietStart && isDue())
-        show(done, what);
+        show(done, {{what, kSamples}});
 }
 
 void Progress::rendering(const RenderTotals& totals) {
@@ -57,19 +70,20 @@ void Progress::rendering(const RenderTotals& totals) {
     const double elapsed = secondsSince(start_);
     const auto paths = static_cast<double>(totals.paths);
     const double done = shareDone(plan_, totals, elapsed);
-    std::string text = std::to_string(totals.samplesPerPixel);
+    std::string samples = std::to_string(totals.samplesPerPixel);
     if (plan_.samplesPerPixel)
-        text.append("/").append(std::to_string(*plan_.samplesPerPixel));
-    text += " spp  ";
+        samples.append("/").append(std::to_string(*plan_.samplesPerPixel));
+    std::string error;
     if (totals.error)
-        text += "error " + percentText(totals.error->relative) +
-                (totals.error->doubt && !totals.error->isTrusted() ? " (doubtful)  " : "  ");
-    text += withPrefix(paths / totals.seconds) + " samples/s  " +
-            withPrefix(static_cast<double>(totals.rays) / totals.seconds) + " rays/s  " +
-            durationText(elapsed) + " elapsed";
-    if (done > 0.0)
-        text += ", " + durationText(elapsed * (1.0 - done) / done) + " left";
-    show(done, text);
+        error = "error " + percentText(totals.error->relative) +
+                (totals.error->doubt && !totals.error->isTrusted() ? " (doubtful)" : "");
+    show(done,
+         {{samples + " spp", kSamples},
+          {error, kError},
+          {withPrefix(paths / totals.seconds) + " samples/s", kSampleRate},
+          {withPrefix(static_cast<double>(totals.rays) / totals.seconds) + " rays/s", kRayRate},
+          {durationText(elapsed) + " elapsed", kElapsed},
+          {done > 0.0 ? durationText(elapsed * (1.0 - done) / done) + " left" : "", kLeft}});
 }
 
 void Progress::clear() {

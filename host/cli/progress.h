@@ -2,14 +2,16 @@
 
 #include <chrono>
 #include <string>
+#include <vector>
 
+#include "base/terminal_text.h"
 #include "engine/render_plan.h"
 #include "render/render_totals.h"
 
 namespace calotype {
 
-/// Shows the progress on standard error: as a bar on a terminal, otherwise as a line from time to
-/// time. Silent if `quiet`.
+/// Shows the progress on standard error: as a bar on a terminal that can redraw it, in one line of
+/// its width, otherwise as a line from time to time. Silent if `quiet`.
 class Progress {
 public:
     explicit Progress(bool quiet, const RenderPlan& plan = {});
@@ -30,10 +32,10 @@ private:
 
     /// True if it is time for the next update.
     bool isDue();
-    void show(double done, const std::string& text);
+    void show(double done, std::vector<LinePart> parts);
 
     bool quiet_;
-    bool terminal_;
+    bool redraws_;
     bool barShown_ = false;
     RenderPlan plan_;
     Clock::time_point start_ = Clock::now();

@@ -37,11 +37,19 @@ void addOutputOptions(CLI::App& command, OutputOptions& output) {
 void addFilmOptions(CLI::App& command, FilmOptions& film) {
     command
         .add_option("--film", film.film,
-                    "Keep the raw film in this file, for --resume and for calotype merge")
+                    "Keep the raw film in this file, for calotype merge and to go on later; if it "
+                    "exists, it is continued")
         ->type_name("FILE")
         ->group(kFilm);
-    command.add_option("--resume", film.resume, "Go on with this film, and keep it there")
+    command
+        .add_option("--resume", film.resume,
+                    "Go on with this film, which must exist, and keep it there, or in --film")
         ->type_name("FILE")
+        ->group(kFilm);
+    command
+        .add_flag("--overwrite", film.overwrites,
+                  "Begin the film of --film anew, even if it exists")
+        ->multi_option_policy(CLI::MultiOptionPolicy::Throw)
         ->group(kFilm);
     const auto parseInterval = [](const std::string& text) {
         return parseDuration("--checkpoint", text);

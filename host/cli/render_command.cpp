@@ -52,14 +52,16 @@ public:
     }
 
     int run() {
-        checkOutputs(options_);
+        OutputClaims claims = checkOutputs(options_);
         RenderSettings given;
         options_.settings.applyTo(given);
         requireKnownTo(options_.device, given);
         double loadSeconds = 0.0;
         progress_.emplace(options_.quiet);
-        Renderer renderer(timed(loadSeconds, [&] { return load(); }), options_.device);
+        LoadedScene scene = timed(loadSeconds, [&] { return load(); });
         progress_->clear();
+        claims.reserve(scene.files());
+        Renderer renderer(std::move(scene), options_.device);
         printWarnings(renderer.scene());
         RenderJob job = makeJob(options_, renderer);
         job.start = start_;

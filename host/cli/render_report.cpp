@@ -25,8 +25,10 @@ std::string placeOf(const RenderOptions& options) {
 
 void reportInterrupt(const RenderOptions& options, const std::string& samples) {
     const char* what = options.output.pictures.empty() ? "film" : "picture";
-    std::fprintf(stderr, "calotype: interrupted after %s; the %s so far is in %s\n",
-                 samples.c_str(), what, placeOf(options).c_str());
+    const bool isContinued = options.film.keepsFilm() && !options.film.overwrites;
+    std::fprintf(stderr, "calotype: interrupted after %s; the %s so far is in %s%s\n",
+                 samples.c_str(), what, placeOf(options).c_str(),
+                 isContinued ? "; the same command goes on with the film" : "");
 }
 
 /// The estimate, and how it compares with a target.

@@ -2,20 +2,24 @@
 #include <cctype>
 #include <cstdio>
 #include <cstring>
-#include <exception>
 #include <filesystem>
 #include <functional>
+#include <iterator>
 #include <memory>
+#include <optional>
 #include <system_error>
+#include <utility>
 
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/number_text.h"
+#include "base/output_failures.h"
 #include "base/stopwatch.h"
 #include "cli/commands.h"
 #include "cli/device_environment.h"
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
+#include "cli/output_claims.h"
 #include "cli/progress.h"
 #include "cli/read_scene.h"
 #include "engine/devices.h"
@@ -32,7 +36,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Throws OutputError if the folder cannot be made or written.
+constexpr const char* kFiles[] = {"study.csv", "study.svg", "study.html"};
+
+/// Throws OutputError if the folder cannot be made.
 std::filesystem::path makeFolder(const StudyOptions& options) {
     std::filesystem::path folder = options.folder;
     if (folder.empty())
@@ -41,9 +47,28 @@ std::filesystem::path makeFolder(const StudyOptions& options) {
     std::filesystem::create_directories(folder, error);
     if (error)
         throw OutputError("cannot make the folder '" + folder.string() + "': " + error.message());
-    for (const char* name : {"study.csv", "study.svg", "study.html"})
-        checkWritable(folder / name);
     return folder;
+}
+
+/// Removes the folder if it is empty.
+void cleanUp(const std::filesystem::path& folder) {
+    std::error_code ignored; // such as: not empty
+    std::filesystem::remove(folder, ignored);
+}
+
+/// Throws UsageError if the study would replace a file of the scene, and OutputError if a file
+/// cannot be written.
+OutputClaims claimFiles(const std::filesystem::path& folder, const LoadedScene& scene) {
+    try {
+        OutputClaims claims;
+        claims.reserve(scene.files());
+        for (const char* name : kFiles)
+            claims.claim((folder / name).string());
+        return claims;
+    } catch (...) {
+        cleanUp(folder);
+        throw;
+    }
 }
 
 /// Quotes the text as one word of a shell.
@@ -94,8 +119,9 @@ void printChoices(const Study& study) {
     }
 }
 
-/// Runs the study; if it fails, removes the folder if that is empty.
-Study runOrClean(const std::filesystem::path& folder, const std::function<Study()>& run) {
+/// Runs the study; if it fails, gives up the claims, and removes the folder if that is empty.
+Study runOrClean(const std::filesystem::path& folder, std::optional<OutputClaims>& claims,
+                 const std::function<Study()>& run) {
     try {
         Study study = run();
         if (study.measurements.empty())
@@ -103,27 +129,20 @@ Study runOrClean(const std::filesystem::path& folder, const std::function<Study(
                 "interrupted before the default settings were measured; nothing was written");
         return study;
     } catch (...) {
-        std::error_code ignored; // such as: not empty
-        std::filesystem::remove(folder, ignored);
+        claims.reset(); // whose files are in the folder
+        cleanUp(folder);
         throw;
     }
 }
 
 /// If one of the files cannot be written, the others are still written.
 void writeAll(const Study& study, const StudyOrigin& origin, const std::filesystem::path& folder) {
-    std::exception_ptr failure;
-    const auto write = [&](const char* name, const std::string& contents) {
-        try {
-            writeFileAtomically(folder / name, contents);
-        } catch (const OutputError&) {
-            failure = std::current_exception();
-        }
-    };
-    write("study.csv", toCsv(study));
-    write("study.svg", toSvg(study, origin.scene));
-    write("study.html", toHtml(study, origin));
-    if (failure)
-        std::rethrow_exception(failure);
+    const std::string contents[] = {toCsv(study), toSvg(study, origin.scene),
+                                    toHtml(study, origin)};
+    OutputFailures failures;
+    for (size_t i = 0; i < std::size(kFiles); ++i)
+        failures.attempt([&] { writeFileAtomically(folder / kFiles[i], contents[i]); });
+    failures.throwIfAny();
 }
 
 /// Reports what is missing from the study. Returns the exit code.
@@ -152,13 +171,15 @@ int studyCommand(const StudyOptions& options) {
         const double left = options.budget - secondsSince(start);
         progress.step(what + ", " + durationText(std::max(0.0, left)) + " left", done);
     };
-    const Scene scene =
+    LoadedScene loaded =
         readScene(options.scene, options.settings, device, [&](const std::string& what, double) {
             throwIfInterrupted();
             show(what);
         });
     progress.clear();
     const std::filesystem::path folder = makeFolder(options);
+    std::optional<OutputClaims> claims = claimFiles(folder, loaded);
+    const Scene scene = std::move(loaded);
     printWarnings(scene);
 
     StudyOrigin origin;
@@ -187,7 +208,8 @@ int studyCommand(const StudyOptions& options) {
     RenderSettings settings = defaultSettings(scene);
     options.settings.applyTo(settings);
     const StudyPlan plan{settings, left, options.settings.has("size"), isReference(device)};
-    const Study study = runOrClean(folder, [&] { return runStudy(plan, prepare, observer); });
+    const Study study =
+        runOrClean(folder, claims, [&] { return runStudy(plan, prepare, observer); });
     progress.clear();
     writeAll(study, origin, folder);
     printChoices(study);

@@ -22,9 +22,11 @@ Attribute attributeOf(const Setting& setting, const std::string& text,
 
 } // namespace
 
-void describe(Picture& picture, const FilmLabel& label, uint64_t samplesPerPixel, double seconds) {
+void describe(Picture& picture, const FilmLabel& label, uint64_t samplesPerPixel) {
     picture.metadata.push_back({"version", label.setting("version")});
     picture.metadata.push_back({"sceneHash", hexadecimal(label.sceneHash)});
+    if (!label.camera.empty())
+        picture.metadata.push_back({"camera", label.camera});
     RenderSettings settings;
     for (const Setting& setting : settingsTable()) {
         const auto text = label.settings.find(setting.name);
@@ -33,7 +35,6 @@ void describe(Picture& picture, const FilmLabel& label, uint64_t samplesPerPixel
     }
     picture.metadata.push_back({"spp", static_cast<int32_t>(std::min<uint64_t>(
                                            samplesPerPixel, std::numeric_limits<int32_t>::max()))});
-    picture.metadata.push_back({"seconds", seconds});
     // Both are zero where the label does not say them.
     if (settings.width > 0 && settings.crop.width > 0)
         picture.crop =

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <chrono>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/film_options.h"
+#include "engine/spare_file.h"
 #include "film/film_file.h"
 #include "gpu/device_info.h"
 #include "settings/render_settings.h"
@@ -18,16 +21,18 @@ public:
     /// Called with a complete sentence.
     using OnWarning = std::function<void(const std::string&)>;
 
-    /// Reads the film to resume, if there is one. Throws SceneError if it is damaged or does not
-    /// fit the label.
-    FilmKeeper(const FilmOptions& options, FilmLabel label, const Crop& crop, OnWarning onWarning);
+    /// Reads the film to continue, if there is one: that of `resume`, or `film` if it exists and is
+    /// not to be overwritten. Throws SceneError if it is damaged or does not fit the label.
+    /// `spareFolders` is where the film is kept if its own folder has no room.
+    FilmKeeper(const FilmOptions& options, FilmLabel label, const Crop& crop,
+               std::vector<std::filesystem::path> spareFolders, OnWarning onWarning);
 
     /// Whether a film is written at all.
     bool isWanted() const { return options_.keepsFilm(); }
     const std::string& path() const { return options_.path(); }
     const FilmLabel& label() const { return label_; }
 
-    /// The film to resume, or an empty one of this size. A new film is written at once, so that
+    /// The film to continue, or an empty one of this size. A new film is written at once, so that
     /// there is a file whenever the program is killed. Throws SceneError if the film was made with
     /// lights of another strength, and OutputError.
     Film begin(const RenderSettings& settings, double maxRadiance, const DeviceInfo& device);
@@ -36,18 +41,28 @@ public:
     /// render continues.
     void checkpoint(const Film& film);
 
-    /// Writes the film. Throws OutputError.
+    /// Writes the film, unless its file holds these samples already. Throws OutputError, which says
+    /// where the film is kept instead.
     void save(const Film& film);
 
 private:
     using Clock = std::chrono::steady_clock;
 
+    /// A film of the options, which must fit the label. `advice` ends the message if it does not.
+    KeptFilm readOurs(const std::string& path, const char* advice) const;
+    void readContinued();
+
     FilmOptions options_;
     FilmLabel label_;
+    Crop crop_;
+    SpareFile file_;
     OnWarning onWarning_;
+    std::string lastWarning_;
     std::string device_;
-    uint64_t blocksBefore_ = 0; ///< blocks of the film at the start
-    std::optional<KeptFilm> resumed_;
+    uint64_t blocksBefore_ = 0;                 ///< blocks of the film at the start
+    std::optional<uint64_t> blocksInFile_ = {}; ///< none: the file at `path` is not this film's
+    std::string continuedPath_;
+    std::optional<KeptFilm> continued_;
     Clock::time_point lastSave_ = Clock::now();
 };
 

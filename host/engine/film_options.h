@@ -7,8 +7,9 @@ namespace calotype {
 
 /// Films to write and to resume; an empty path means none.
 struct FilmOptions {
-    std::string film;
-    std::string resume;
+    std::string film;        ///< continued if it exists, else made
+    std::string resume;      ///< must exist
+    bool overwrites = false; ///< an existing `film` is not continued, but replaced
     std::optional<double> checkpointSeconds = {}; ///< none: kCheckpointSeconds
 
     static constexpr double kCheckpointSeconds = 60.0;

@@ -1,5 +1,7 @@
 #include "engine/merge_films.h"
 
+#include <optional>
+
 #include "base/error.h"
 #include "engine/film_label.h"
 
@@ -15,17 +17,53 @@ void join(KeptFilm& joined, const std::string& path) {
         throw SceneError(path, "the film cannot be joined: the samples " + sampleText(both) +
                                    " are in a film before it too");
     joined.film.add(next.film);
+    if (joined.label.camera.empty())
+        joined.label.camera = next.label.camera;
     joined.label.devices.insert(next.label.devices.begin(), next.label.devices.end());
+}
+
+bool hasSameOrigin(const std::string& path, const KeptFilm& a, const KeptFilm& b) {
+    try {
+        requireSameOrigin(path, a, b.label, b.film.width(), b.film.height(), b.film.unit(),
+                          b.film.channels());
+        return true;
+    } catch (const SceneError&) {
+        return false;
+    }
+}
+
+/// Nothing where there is no film, or a damaged one.
+std::optional<KeptFilm> readIfWhole(const std::string& path) {
+    try {
+        return isFilm(path) ? std::optional(readLabelledFilm(path)) : std::nullopt;
+    } catch (const SceneError&) {
+        return std::nullopt;
+    }
 }
 
 } // namespace
 
-KeptFilm mergeFilms(const std::vector<std::string>& paths) {
+void requireNoLess(const std::string& path, const KeptFilm& joined) {
+    const std::optional<KeptFilm> existing = readIfWhole(path);
+    if (!existing || !hasSameOrigin(path, *existing, joined))
+        return;
+    const BlockRanges missing = joined.film.blocks().missingFrom(existing->film.blocks());
+    if (!missing.empty())
+        throw SceneError(
+            path, "the film exists already, and holds samples that these films lack: " +
+                      sampleText(missing) + "; name another file, or replace it with --overwrite");
+}
+
+KeptFilm mergeFilms(const std::vector<std::string>& paths,
+                    const std::function<void()>& beforeEach) {
     if (paths.empty())
         throw UsageError("there is no film to merge");
     KeptFilm joined = readLabelledFilm(paths.front());
-    for (size_t i = 1; i < paths.size(); ++i)
+    for (size_t i = 1; i < paths.size(); ++i) {
+        if (beforeEach)
+            beforeEach();
         join(joined, paths[i]);
+    }
     return joined;
 }
 

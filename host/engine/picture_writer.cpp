@@ -1,9 +1,8 @@
 #include "engine/picture_writer.h"
 
-#include <exception>
-
-#include "base/error.h"
+#include "base/output_failures.h"
 #include "engine/exr_metadata.h"
+#include "engine/spare_file.h"
 #include "film/develop.h"
 #include "film/write_picture.h"
 
@@ -13,16 +12,14 @@ void PictureWriter::writeOutputs(Session& session) const {
     if (options_.pictures.empty())
         return;
     const Picture picture = pictureOf(session);
-    std::exception_ptr firstError;
-    for (const std::string& path : options_.pictures) {
-        try {
-            writePicture(path, picture, options_.display);
-        } catch (const OutputError&) {
-            firstError = firstError ? firstError : std::current_exception();
-        }
-    }
-    if (firstError)
-        std::rethrow_exception(firstError);
+    OutputFailures failures;
+    for (const std::string& output : options_.pictures)
+        failures.attempt([&] {
+            SpareFile(output, spareFolders_).write("the picture", [&](const auto& path) {
+                writePicture(path, picture, options_.display);
+            });
+        });
+    failures.throwIfAny();
 }
 
 void PictureWriter::writePreview(Session& session) const {
@@ -36,7 +33,7 @@ Picture PictureWriter::pictureOf(Session& session) const {
                                                      : session.channelsOf(layer);
     };
     Picture picture = develop(session.picture(), options_.layers, options_.stages, makeChannels);
-    describe(picture, label_, session.totals().samplesPerPixel, session.totals().seconds);
+    describe(picture, label_, session.totals().samplesPerPixel);
     return picture;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <filesystem>
 #include <utility>
+#include <vector>
 
 #include "engine/output_options.h"
 #include "film/film_file.h"
@@ -14,11 +16,15 @@ namespace calotype {
 class PictureWriter {
 public:
     /// `firstHits` is the source of the first-hit layers, empty if there are none. The options and
-    /// the label must outlive this object.
-    PictureWriter(const OutputOptions& options, const FilmLabel& label, FirstHitImage firstHits)
-        : options_(options), label_(label), firstHits_(std::move(firstHits)) {}
+    /// the label must outlive this object. A picture whose folder has no room is kept in one of
+    /// `spareFolders`.
+    PictureWriter(const OutputOptions& options, const FilmLabel& label, FirstHitImage firstHits,
+                  std::vector<std::filesystem::path> spareFolders)
+        : options_(options), label_(label), firstHits_(std::move(firstHits)),
+          spareFolders_(std::move(spareFolders)) {}
 
-    /// Writes every output that can be written, then throws the first error, if there was one.
+    /// Writes every output that can be written, then throws OutputError with all failures, and
+    /// where those pictures are kept.
     void writeOutputs(Session& session) const;
 
     /// Throws OutputError.
@@ -31,6 +37,7 @@ private:
     const OutputOptions& options_;
     const FilmLabel& label_;
     FirstHitImage firstHits_;
+    std::vector<std::filesystem::path> spareFolders_;
 };
 
 } // namespace calotype

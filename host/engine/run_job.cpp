@@ -1,12 +1,15 @@
 #include "engine/run_job.h"
 
 #include <algorithm>
-#include <exception>
+#include <filesystem>
 #include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "base/output_failures.h"
 #include "base/stopwatch.h"
 #include "engine/film_keeper.h"
 #include "engine/film_label.h"
@@ -15,6 +18,7 @@
 #include "engine/picture_writer.h"
 #include "engine/render_engine.h"
 #include "engine/scene_settings.h"
+#include "engine/spare_file.h"
 #include "engine/statistics.h"
 #include "film/develop.h"
 #include "render/render_session.h"
@@ -52,7 +56,8 @@ public:
         requireRenderable(settings_, device_.options());
         requireConsistent(job_);
         result_.warnings = scene_.warnings;
-        FilmKeeper keeper(job_.film, labelOf(scene_, settings_), settings_.crop,
+        const std::vector<std::filesystem::path> folders = outputFolders();
+        FilmKeeper keeper(job_.film, labelOf(scene_, settings_), settings_.crop, folders,
                           [&](const std::string& warning) { warn(warning); });
         const bool wantsHits =
             hasSource(neededLayers(job_.output.layers, job_.output.stages), LayerSource::FirstHit);
@@ -65,7 +70,7 @@ public:
         FirstHitImage hits;
         if (wantsHits)
             hits = engine->firstHits([&](double done) { prepare("finding first hits", done); });
-        const PictureWriter writer(job_.output, keeper.label(), std::move(hits));
+        const PictureWriter writer(job_.output, keeper.label(), std::move(hits), folders);
         const std::unique_ptr<Session> session = begin(*engine, keeper);
         const double prepared = secondsSince(start_);
         result_.plan = planFor(*session);
@@ -74,12 +79,7 @@ public:
         result_.totals = session->totals();
         seconds_.render = result_.totals.seconds;
         seconds_.firstSample = prepared + result_.totals.firstSampleSeconds;
-        writeAll(*session, keeper, writer);
-        if (!job_.output.statsFile.empty())
-            writeFileAtomically(
-                job_.output.statsFile,
-                toJson({engine->info(), settings_, scene_.hash, result_.totals, result_.ending,
-                        seconds_, engine->deviceBytes(), engine->tree()}));
+        writeAll(*session, *engine, keeper, writer);
         takePixels(*session);
         engine->finish();
         for (const std::string& warning : lossWarnings(result_.totals.losses, engine->cutPixels()))
@@ -180,19 +180,28 @@ private:
     }
 
     /// If one of the outputs fails, the others are still written.
-    void writeAll(Session& session, FilmKeeper& keeper, const PictureWriter& writer) {
+    void writeAll(Session& session, const RenderEngine& engine, FilmKeeper& keeper,
+                  const PictureWriter& writer) {
         const Clock::time_point before = Clock::now();
-        std::exception_ptr filmError;
-        try {
-            if (keeper.isWanted())
-                keeper.save(*film_);
-        } catch (const OutputError&) {
-            filmError = std::current_exception();
-        }
-        writer.writeOutputs(session);
-        if (filmError)
-            std::rethrow_exception(filmError);
+        OutputFailures failures;
+        if (keeper.isWanted())
+            failures.attempt([&] { keeper.save(*film_); });
+        failures.attempt([&] { writer.writeOutputs(session); });
         seconds_.write = secondsSince(before);
+        if (!job_.output.statsFile.empty())
+            failures.attempt([&] {
+                writeFileAtomically(
+                    job_.output.statsFile,
+                    toJson({engine.info(), settings_, scene_.hash, result_.totals, result_.ending,
+                            seconds_, engine.deviceBytes(), engine.tree()}));
+            });
+        failures.throwIfAny();
+    }
+
+    std::vector<std::filesystem::path> outputFolders() const {
+        std::vector<std::string> files = job_.output.pictures;
+        files.push_back(job_.film.path());
+        return foldersOf(files);
     }
 
     void takePixels(Session& session) {

@@ -88,4 +88,24 @@ BlockRanges BlockRanges::missingFrom(BlockRange range) const {
     return missing;
 }
 
+BlockRanges BlockRanges::missingFrom(const BlockRanges& others) const {
+    BlockRanges missing;
+    for (const BlockRange& range : others.ranges_)
+        missing.add(missingFrom(range));
+    return missing;
+}
+
+BlockRanges BlockRanges::gaps() const {
+    if (empty())
+        return {};
+    return missingFrom({ranges_.front().begin, ranges_.back().end});
+}
+
+std::string sampleText(const BlockRanges& blocks) {
+    std::string text;
+    for (const BlockRange& range : blocks.ranges())
+        text += (text.empty() ? "" : ", ") + sampleText(range);
+    return text;
+}
+
 } // namespace calotype

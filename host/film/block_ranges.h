@@ -40,13 +40,20 @@ public:
     /// The first range of blocks that are in both sets; 0 to 0 where there is none.
     BlockRange firstOverlap(const BlockRanges& others) const;
 
-    /// The blocks of `range` that are not in the set.
+    /// The blocks of `range`, or of `others`, that are not in the set.
     BlockRanges missingFrom(BlockRange range) const;
+    BlockRanges missingFrom(const BlockRanges& others) const;
+
+    /// The blocks between the first and the last one of the set that are not in it.
+    BlockRanges gaps() const;
 
     bool operator==(const BlockRanges&) const = default;
 
 private:
     std::vector<BlockRange> ranges_;
 };
+
+/// "0:32, 64:80"; empty for no blocks.
+std::string sampleText(const BlockRanges& blocks);
 
 } // namespace calotype

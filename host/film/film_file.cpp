@@ -135,6 +135,8 @@ Json describe(const FilmLabel& label, const Film& film, const std::vector<std::s
                         {"chunk_bytes", chunkBytes}};
     if (hasOtherChannels(film))
         description["channels"] = film.channels();
+    if (!label.camera.empty())
+        description["camera"] = label.camera;
     return description;
 }
 
@@ -228,6 +230,8 @@ KeptFilm readParts(const Json& description, std::string_view compressed, uint32_
     label.sceneHash = std::stoull(description.at("scene_hash").get<std::string>(), nullptr, 16);
     label.settings = description.at("settings");
     label.devices = description.at("devices");
+    if (description.contains("camera")) // films of earlier programs lack it
+        label.camera = description.at("camera");
     return {label, Film(width, height, std::ldexp(1.0, exponent), std::move(sums), others)};
 }
 

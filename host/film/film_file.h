@@ -18,6 +18,7 @@ struct FilmLabel {
     /// film in it, sampler, seed and so on.
     std::map<std::string, std::string> settings;
     std::set<std::string> devices; ///< that rendered it, with their drivers
+    std::string camera;            ///< as JSON, for people; empty: unknown
 
     /// The value of a setting, or "none".
     std::string setting(const std::string& name) const;

@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <string>
+#include <string_view>
 
 #include <stb_image_write.h>
 
@@ -15,6 +16,10 @@ namespace {
 void append(void* bytes, void* data, int size) {
     static_cast<std::string*>(bytes)->append(static_cast<const char*>(data), size);
 }
+
+/// The chunk that says that the numbers are sRGB, for the rendering intent "perceptual": the number
+/// of its bytes, its name, the intent, and the checksum of both.
+constexpr std::string_view kSrgbChunk("\0\0\0\1sRGB\0\xAE\xCE\x1C\xE9", 13);
 
 } // namespace
 
@@ -33,7 +38,8 @@ std::string encodePng(const Rgb8Image& image) {
     if (!stbi_write_png_to_func(append, &bytes, width, height, kChannels, image.pixels.data(),
                                 width * kChannels))
         throw OutputError("not enough memory to compress the PNG; use .exr or .pfm");
-    return bytes;
+    constexpr size_t kHeaderEnd = 8 + 25; // the signature, and IHDR
+    return bytes.insert(kHeaderEnd, kSrgbChunk);
 }
 
 void writePng(const std::filesystem::path& path, const Rgb8Image& image) {

@@ -7,7 +7,8 @@
 
 namespace calotype {
 
-/// The bytes of an 8-bit RGB PNG. Throws OutputError if the picture is too large for the format.
+/// The bytes of an 8-bit RGB PNG, which says that it is sRGB. Throws OutputError if the picture is
+/// too large for the format.
 std::string encodePng(const Rgb8Image& image);
 
 /// Writes an 8-bit RGB PNG, atomically. Throws OutputError.

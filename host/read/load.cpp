@@ -22,14 +22,14 @@ SceneAndNotes readScene(const std::string& path, const LoadOptions& options) {
 } // namespace
 
 LoadedScene loadScene(const std::string& path, const LoadOptions& options) {
-    auto [scene, warnings] = readScene(path, options);
+    auto [scene, warnings, files] = readScene(path, options);
     if (options.size) {
         scene.film.width = options.size->width;
         scene.film.height = options.size->height;
     }
     validate(scene, warnings);
     scene.warnings = warnings.sentences();
-    return LoadedScene(std::move(scene));
+    return LoadedScene(std::move(scene), std::move(files));
 }
 
 } // namespace calotype

@@ -48,11 +48,16 @@ public:
     const Scene* operator->() const { return &scene_; }
     operator Scene() && { return std::move(scene_); }
 
+    /// The paths of all files that were read: that of the scene first, then those that it names.
+    const std::vector<std::string>& files() const { return files_; }
+
 private:
     friend LoadedScene loadScene(const std::string& path, const LoadOptions& options);
-    explicit LoadedScene(Scene&& scene) : scene_(std::move(scene)) {}
+    LoadedScene(Scene&& scene, std::vector<std::string>&& files)
+        : scene_(std::move(scene)), files_(std::move(files)) {}
 
     Scene scene_;
+    std::vector<std::string> files_;
 };
 
 /// Reads a scene with the reader for its file's extension (see sceneReaders) and validates it.

@@ -7,9 +7,11 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/content_hash.h"
 #include "base/find_file.h"
+#include "base/read_file.h"
 #include "base/warnings.h"
 #include "read/load.h"
 #include "read/reader.h"
@@ -27,9 +29,10 @@ struct ReadContext {
     const LoadOptions& options;
     Scene scene;
     Warnings warnings;
-    ContentHash hash; ///< of all data that is read
+    ContentHash hash;               ///< of all data that is read
+    std::vector<std::string> files; ///< that are read
 
-    FileFinder files = {};
+    FileFinder finder = {};
     TextureBudget textureBudget = {};
 
     /// Image files by path, and images made from them (by path and recipe); nullptr for those that
@@ -47,7 +50,17 @@ struct ReadContext {
                                   std::to_string(unreadableTextures.size() - kMostUnreadableNamed) +
                                   " more image files");
         scene.hash = hash.value();
-        return {std::move(scene), std::move(warnings)};
+        return {std::move(scene), std::move(warnings), std::move(files)};
+    }
+
+    /// The bytes of a file that the scene names. They belong to the scene's hash, and the file to
+    /// those that no output may replace, so files are read by this function only. Throws SceneError
+    /// at `where` if it cannot be read.
+    std::string read(const std::string& path, const std::string& where) {
+        files.push_back(path);
+        std::string bytes = readFile(path, where);
+        hash.add(bytes);
+        return bytes;
     }
 
     uint32_t addMaterial(Material material) {

@@ -3,6 +3,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/warnings.h"
 #include "read/load.h"
@@ -10,10 +11,12 @@
 
 namespace calotype {
 
-/// The result of a reader: a scene that is not validated yet, and notes about the file.
+/// The result of a reader: a scene that is not validated yet, notes about the file, and the paths
+/// of all files that were read.
 struct SceneAndNotes {
     Scene scene;
     Warnings notes;
+    std::vector<std::string> files;
 };
 
 /// One file format for scenes.

@@ -5,7 +5,6 @@
 
 #include "base/error.h"
 #include "base/names.h"
-#include "base/read_file.h"
 #include "image/read_texel_image.h"
 
 namespace calotype {
@@ -41,7 +40,7 @@ TextureFile failOrWarn(const std::string& name, const std::filesystem::path& dir
         warnOnce(problem, where, context);
         return {};
     }
-    const std::string nearest = context.files.nearest(directory, name);
+    const std::string nearest = context.finder.nearest(directory, name);
     throw SceneError(
         where,
         problem + (nearest.empty() ? "" : "; did you mean " + inQuotes(nearest) + "?") + kHint);
@@ -54,8 +53,7 @@ std::shared_ptr<const TexelImage> readImageFile(const std::string& path, const s
     if (!unknown && size > kLargestFile)
         throw SceneError(path, "the image file is larger than 2 GiB");
     context.progress(path, 0.0);
-    const std::string bytes = readFile(path, where);
-    context.hash.add(bytes);
+    const std::string bytes = context.read(path, where);
     auto image =
         std::make_shared<TexelImage>(readTexelImage(bytes, ImageTexture::kLargestSide, path));
     context.progress(path, 1.0);
@@ -71,7 +69,7 @@ std::string problemOf(const SceneError& error) {
 
 TextureFile readTextureFile(const std::string& name, const std::filesystem::path& directory,
                             const std::string& where, ReadContext& context) {
-    const auto found = context.files.find(directory, name);
+    const auto found = context.finder.find(directory, name);
     if (!found)
         return failOrWarn(name, directory, where, context);
     const std::string path = found->string();
@@ -92,7 +90,7 @@ TextureFile readTextureFile(const std::string& name, const std::filesystem::path
 
 void countTexture(const std::string& name, const std::filesystem::path& directory, bool isUploaded,
                   ReadContext& context) {
-    if (const auto path = context.files.find(directory, name))
+    if (const auto path = context.finder.find(directory, name))
         context.textureBudget.add(path->string(), isUploaded);
 }
 

@@ -50,7 +50,7 @@ TEST_F(BenchTest, MistakesAreUsageErrors) {
     EXPECT_EQ(runProgram({"bench", scene_, "--repeats", "0"}).exitCode, 2);
     EXPECT_EQ(runProgram({"bench", scene_, "--spp", "0"}).exitCode, 2);
     EXPECT_EQ(runProgram({"bench", folder_ / "none.json"}).exitCode, 3);
-    EXPECT_EQ(runProgram({"bench", scene_, "--json", folder_ / "none/bench.json"}).exitCode, 1);
+    EXPECT_EQ(runProgram({"bench", scene_, "--json", folder_ / "none/bench.json"}).exitCode, 6);
 }
 
 } // namespace

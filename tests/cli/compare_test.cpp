@@ -166,9 +166,9 @@ TEST_F(CompareTest, RefusesWrongUsage) {
         {{"compare", a_, b_, "--max-relmse", "1", "--max-relmse", "2"}, "--max-relmse"},
         {{"compare", a_, b_, "--diff", folder_ / "diff.exr"}, "name it .png"},
         {{"compare", a_, b_, "--diff", folder_ / "diff"}, "name it .png"},
-        {{"compare", png, b_, "--diff", png}, "one of the pictures"},
-        {{"compare", b_, png, "--diff", folder_ / "./in.png"}, "one of the pictures"},
-        {{"compare", b_, png, "--diff", folder_ / "link.png"}, "one of the pictures"},
+        {{"compare", png, b_, "--diff", png}, "is read by this command"},
+        {{"compare", b_, png, "--diff", folder_ / "./in.png"}, "is read by this command"},
+        {{"compare", b_, png, "--diff", folder_ / "link.png"}, "is read by this command"},
     };
     for (const auto& [arguments, fragment] : cases) {
         SCOPED_TRACE(fragment);
@@ -181,7 +181,7 @@ TEST_F(CompareTest, RefusesWrongUsage) {
 // Said before anything is read, so that the missing picture is not met.
 TEST_F(CompareTest, RefusesAnUnwritableDifferencePicture) {
     expectFailure(
-        runProgram({"compare", a_, folder_ / "missing.exr", "--diff", folder_ / "no/diff.png"}), 1,
+        runProgram({"compare", a_, folder_ / "missing.exr", "--diff", folder_ / "no/diff.png"}), 6,
         "diff.png");
 }
 

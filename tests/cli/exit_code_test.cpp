@@ -55,6 +55,7 @@ TEST_F(ExitCodeTest, WrongUsage) {
         {{"render", scene_, "-o", out, "--set", "/render/spp"}, "--set"},
         {{"render", scene_, "-o", folder_ / "out.gif"}, ".png"},
         {{"render", scene_, "-o", folder_ / "out"}, ".png"},
+        {{"render", scene_, "-o", out, "--overwrite"}, "--film"},
         {{"render", scene_, "-o", out, "-o", out}, "twice"},
         {{"render", scene_, "-o", out, "--preview-every", "2", "--preview-file", "x.bmp"}, ".png"},
         {{"render", scene_, "-o", out, "-o", folder_ / "./out.png"}, "twice"},
@@ -116,14 +117,14 @@ TEST_F(ExitCodeTest, UnwritableOutput) {
         return runProgram(arguments);
     };
     const std::string good = folder_ / "good.png";
-    expectFailure(render({"render", scene_, "-o", folder_ / "no/such/folder.png"}), 1,
+    expectFailure(render({"render", scene_, "-o", folder_ / "no/such/folder.png"}), 6,
                   "folder.png");
-    expectFailure(render({"render", scene_, "-o", good, "-o", "/proc/x.exr"}), 1, "/proc/x.exr");
-    expectFailure(render({"render", scene_, "-o", good, "--stats", folder_ / "no/stats.json"}), 1,
+    expectFailure(render({"render", scene_, "-o", good, "-o", "/proc/x.exr"}), 6, "/proc/x.exr");
+    expectFailure(render({"render", scene_, "-o", good, "--stats", folder_ / "no/stats.json"}), 6,
                   "stats.json");
     expectFailure(render({"render", scene_, "-o", good, "--preview-every", "1", "--preview-file",
                           folder_ / "no/preview.png"}),
-                  1, "preview.png");
+                  6, "preview.png");
     EXPECT_EQ(folder_.names(), std::vector<std::string>{"scene.json"});
 }
 

@@ -11,9 +11,9 @@
 namespace calotype::test {
 namespace {
 
-// Both signals keep the film, and the exit code says that it is not done.
+// All signals that end programs keep the film, and the exit code says that it is not done.
 TEST_F(FilmTest, SignalsKeepTheFilm) {
-    for (const int signal : {SIGINT, SIGTERM}) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGUSR1, SIGUSR2}) {
         const std::string path = folder_ / ("film" + std::to_string(signal));
         ProgramOptions options;
         bool isSent = false;
@@ -29,9 +29,35 @@ TEST_F(FilmTest, SignalsKeepTheFilm) {
         EXPECT_NE(result.errors.find("the film so far is in"), std::string::npos) << result.errors;
         const uint64_t samples = readFilm(path).film.samplesPerPixel();
         EXPECT_GT(samples, 0u);
-        expectSameFilm(path,
-                       film("whole" + std::to_string(signal), {"--spp", std::to_string(samples)}));
+        if (signal == SIGHUP) // all are handled alike
+            expectSameFilm(path, film("whole", {"--spp", std::to_string(samples)}));
     }
+}
+
+// As by nohup: the render goes on until another signal ends it.
+TEST_F(FilmTest, IgnoredSignalsStayIgnored) {
+    const std::string path = folder_ / "a.film";
+    const auto samples = [&] {
+        return std::filesystem::exists(path) ? readFilm(path).film.samplesPerPixel() : 0;
+    };
+    uint64_t samplesAtHangup = 0;
+    bool isEnded = false;
+    ProgramOptions options;
+    options.ignoredSignals = {SIGHUP};
+    options.whileRunning = [&](int pid, double) {
+        const uint64_t now = samples();
+        if (samplesAtHangup == 0 && now > 0) {
+            samplesAtHangup = now;
+            kill(pid, SIGHUP);
+        } else if (!isEnded && samplesAtHangup > 0 && now > samplesAtHangup + 64) {
+            isEnded = kill(pid, SIGTERM) == 0;
+        }
+    };
+    const ProgramResult result =
+        runProgram(render({"--film", path, "--spp", "1000000", "--checkpoint", "0.02s"}), options);
+    EXPECT_EQ(result.exitCode, 1) << result.errors;
+    EXPECT_TRUE(isEnded);
+    EXPECT_GT(samples(), samplesAtHangup + 64);
 }
 
 /// Kills the program at a random moment: at an age of up to 0.6 s, or, every other time, up to 0.1
@@ -88,8 +114,7 @@ TEST_F(FilmTest, SurvivesKills) {
         if (kills < wanted)
             program.whileRunning = Killer(path, random);
         std::vector<std::string> arguments = render(options);
-        arguments.insert(arguments.end(), {std::filesystem::exists(path) ? "--resume" : "--film",
-                                           path, "--checkpoint", "0.02s"});
+        arguments.insert(arguments.end(), {"--film", path, "--checkpoint", "0.02s"});
         const ProgramResult result = runProgram(arguments, program);
         isDone = result.exitCode == 0;
         if (!isDone) {

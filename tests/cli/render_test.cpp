@@ -1,6 +1,7 @@
 // What `calotype render` writes and says.
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <functional>
@@ -74,10 +75,39 @@ TEST_F(RenderTest, ExrSaysHowItWasMade) {
     for (const auto& [name, text] : expected)
         EXPECT_EQ(attributeOf(header, name), text) << name;
     EXPECT_EQ(attributeOf(header, "sceneHash").size(), 16u);
-    EXPECT_NE(attributeOf(header, "seconds"), "(none)");
+    // With the keys of scene files. The camera looks down by 0.5 on 4, so up is (0, 8, -1) /
+    // sqrt(65).
+    const auto camera = nlohmann::json::parse(attributeOf(header, "camera"));
+    EXPECT_EQ(camera["type"], "perspective");
+    EXPECT_EQ(camera["position"], nlohmann::json({0.0, 1.0, 4.0}));
+    EXPECT_EQ(camera["fov"], 40.0);
+    EXPECT_EQ(camera["lens_radius"], 0.0);
+    const std::vector<double> target = camera["target"];
+    const std::vector<double> up = camera["up"];
+    const double expectedTarget[] = {0.0, 0.5, 0.0};
+    const double expectedUp[] = {0.0, 8.0 / std::sqrt(65.0), -1.0 / std::sqrt(65.0)};
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_NEAR(target[i], expectedTarget[i], 1e-11);
+        EXPECT_NEAR(up[i], expectedUp[i], 1e-11);
+    }
     for (const Setting& setting : settingsTable())
         if (setting.changesSamples)
             EXPECT_NE(attributeOf(header, setting.name), "(none)") << setting.name;
+}
+
+// Without times and without anything else of the run.
+TEST_F(RenderTest, EqualRendersWriteEqualFiles) {
+    for (const std::string run : {"1", "2"})
+        EXPECT_EQ(runProgram({"render", scene_, "-o", folder_ / (run + ".exr"), "-o",
+                              folder_ / (run + ".png"), "-o", folder_ / (run + ".pfm"), "--film",
+                              folder_ / (run + ".film"), "--spp", "16", "--aov", "normal,error"})
+                      .exitCode,
+                  0);
+    for (const std::string ending : {".exr", ".png", ".pfm", ".film"}) {
+        EXPECT_GT(readText(folder_ / ("1" + ending)).size(), 100u);
+        EXPECT_TRUE(readText(folder_ / ("1" + ending)) == readText(folder_ / ("2" + ending)))
+            << ending;
+    }
 }
 
 TEST_F(RenderTest, CommandLineOverridesTheScene) {
@@ -168,6 +198,8 @@ TEST_F(RenderTest, OffATerminalThereAreFewPlainLines) {
 TEST_F(RenderTest, OnATerminalThereIsABar) {
     ProgramOptions options;
     options.onTerminal = true;
+    options.columns = 132;
+    options.environment["TERM"] = "xterm";
     const ProgramResult result =
         runProgram({"render", scene_, "-o", folder_ / "a.png", "--spp", "2048"}, options);
     EXPECT_EQ(result.exitCode, 0);
@@ -273,6 +305,24 @@ bool isPending(int pid, int signal) {
     const std::string key = "ShdPnd:";
     const uint64_t pending = std::stoull(status.substr(status.find(key) + key.size()), nullptr, 16);
     return (pending >> (signal - 1) & 1) != 0;
+}
+
+// The system sends SIGXCPU every second, and a shell and the system both send SIGHUP.
+TEST_F(InterruptTest, SignalsOfSystemsMayComeAgain) {
+    const ProgramResult result = runInterrupted([](int pid) {
+        for (const int signal : {SIGXCPU, SIGHUP}) {
+            kill(pid, signal);
+            while (isPending(pid, signal))
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            std::this_thread::sleep_for(std::chrono::milliseconds(10)); // for the handler
+            kill(pid, SIGSTOP);
+            std::this_thread::sleep_for(std::chrono::milliseconds(300));
+            kill(pid, signal);
+            kill(pid, SIGCONT);
+        }
+    });
+    EXPECT_EQ(result.exitCode, 1) << result.errors;
+    EXPECT_GT(imageMean(readPfm(out_)).y, 0.0);
 }
 
 // Stopped between the two signals, so that it cannot have ended by itself before the second. The

@@ -89,7 +89,7 @@ TEST_F(StudyTest, AnOutputThatFailsLosesNoOther) {
             std::filesystem::create_directories(inTheWay);
     };
     const ProgramResult result = study({"--budget", "5s", "--size", "16x16"}, options);
-    EXPECT_EQ(result.exitCode, 1);
+    EXPECT_EQ(result.exitCode, 6);
     EXPECT_NE(result.errors.find("study.svg"), std::string::npos) << result.errors;
     EXPECT_NE(readOutput("study.html").find("the default"), std::string::npos);
     EXPECT_NE(readOutput("study.csv").find("the default"), std::string::npos);
@@ -107,7 +107,7 @@ TEST_F(StudyTest, MistakesAreNamed) {
     expectFailure(runProgram({"study", folder_ / "none.json", "-o", folder_ / "a"}), 3,
                   "none.json");
     folder_.write("file", "");
-    expectFailure(runProgram({"study", scene_, "-o", folder_ / "file"}), 1, "file");
+    expectFailure(runProgram({"study", scene_, "-o", folder_ / "file"}), 6, "file");
     const ProgramResult dark = study({"--budget", "5s", "--set", "/lights=[]"});
     EXPECT_EQ(dark.exitCode, 3);
     EXPECT_NE(dark.errors.find("no light"), std::string::npos) << dark.errors;

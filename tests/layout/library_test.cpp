@@ -74,6 +74,19 @@ TEST(LibraryTest, HasNoShortcuts) {
             });
 }
 
+// So that a scene's hash and its list of files are of all that is read. The text of a scene file is
+// hashed after --set.
+TEST(LibraryTest, ReadersReadFilesInOnePlace) {
+    for (const fs::path& file : filesOf(kHost / "read")) {
+        const fs::path place = fs::relative(file, kHost);
+        if (place != "read/read_context.h" && place != "read/json/scene.cpp")
+            findLines(file, std::regex(R"(\b(readFile|fopen|ifstream)\b)"),
+                      [&](const std::string& line, const std::smatch&) {
+                          ADD_FAILURE() << file << ": " << line;
+                      });
+    }
+}
+
 // Environment variables are the command line's, but for where compiled kernels are kept.
 TEST(LibraryTest, ReadsNoVariableButTheCacheFolder) {
     for (const fs::path& file : filesOf(kHost)) {

@@ -2,6 +2,7 @@
 #include "support/paths.h"
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
 #include <fstream>
@@ -21,6 +22,13 @@ using Clock = std::chrono::steady_clock;
                                const ProgramOptions& options) {
     for (const auto& [name, value] : options.environment)
         setenv(name.c_str(), value.c_str(), 1);
+    // Whatever started the tests may ignore some, as a shell does in the background.
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGUSR1, SIGUSR2})
+        std::signal(signal, SIG_DFL);
+    for (const int signal : options.ignoredSignals)
+        std::signal(signal, SIG_IGN);
+    for (const int stream : options.closedStreams)
+        close(stream);
     std::vector<char*> argv = {const_cast<char*>(kProgram)};
     for (const std::string& argument : arguments)
         argv.push_back(const_cast<char*>(argument.c_str()));
@@ -47,7 +55,8 @@ struct Child {
 Child start(const std::vector<std::string>& arguments, const ProgramOptions& options) {
     Child child;
     if (options.onTerminal) {
-        child.pid = forkpty(&child.errorFd, nullptr, nullptr, nullptr);
+        const winsize size{.ws_row = 24, .ws_col = options.columns, .ws_xpixel = 0, .ws_ypixel = 0};
+        child.pid = forkpty(&child.errorFd, nullptr, nullptr, &size);
         if (child.pid == 0)
             executeChild(arguments, options);
         return child;

@@ -20,6 +20,9 @@ struct ProgramResult {
 struct ProgramOptions {
     std::map<std::string, std::string> environment; ///< in addition to this process's
     bool onTerminal = false; ///< standard error and output go to a pseudo-terminal, into `errors`
+    uint16_t columns = 0;    ///< of the pseudo-terminal; 0: it does not say
+    std::vector<int> ignoredSignals = {}; ///< at the program's start, as by nohup
+    std::vector<int> closedStreams = {};  ///< numbers of standard streams
     /// Called about every 20 ms with the process's id and its age until it has ended.
     std::function<void(int pid, double seconds)> whileRunning;
 };

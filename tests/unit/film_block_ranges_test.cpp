@@ -69,6 +69,21 @@ TEST(BlockRangesTest, AgreesWithAPlainSet) {
     }
 }
 
+TEST(BlockRangesTest, NamesWhatItLacksOfOthers) {
+    const BlockRanges blocks = make({{2, 4}, {6, 8}});
+    EXPECT_EQ(blocks.missingFrom(make({{0, 3}, {5, 9}})), make({{0, 2}, {5, 6}, {8, 9}}));
+    EXPECT_TRUE(blocks.missingFrom(blocks).empty());
+    EXPECT_TRUE(blocks.missingFrom(make({})).empty());
+}
+
+TEST(BlockRangesTest, NamesItsGaps) {
+    EXPECT_TRUE(make({}).gaps().empty());
+    EXPECT_TRUE(make({{2, 4}}).gaps().empty()) << "nothing is said of what is before the first";
+    EXPECT_EQ(make({{0, 2}, {4, 5}, {7, 9}}).gaps(), make({{2, 4}, {5, 7}}));
+    EXPECT_EQ(sampleText(make({{0, 2}, {4, 5}})), "0:32, 64:80");
+    EXPECT_EQ(sampleText(make({})), "");
+}
+
 TEST(BlockRangesDeathTest, RefusesWhatItHolds) {
     BlockRanges blocks = make({{2, 4}});
     EXPECT_DEATH(blocks.add({3, 5}), "check failed");

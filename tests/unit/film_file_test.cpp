@@ -82,6 +82,20 @@ TEST_F(FilmFileTest, GivesBackWhatItWasGiven) {
     EXPECT_EQ(folder_.names(), std::vector<std::string>{"x.film"});
 }
 
+// It says nothing about which samples there are, so films with and without it are joined.
+TEST_F(FilmFileTest, KeepsTheCamera) {
+    FilmLabel label = someLabel();
+    const Film film = filmOf(2, 2, {0});
+    writeFilm(path_, label, film);
+    EXPECT_EQ(readText(path_).find("camera"), std::string::npos) << "as films of version 0.1.0";
+    const KeptFilm without = readFilm(path_);
+    EXPECT_EQ(without.label.camera, "");
+    label.camera = R"({"position":[0,1,2]})";
+    EXPECT_EQ(errorOf([&] { requireSameOrigin(path_, without, label, 2, 2, 0.25); }), "");
+    writeFilm(path_, label, film);
+    EXPECT_EQ(readFilm(path_).label.camera, label.camera);
+}
+
 TEST_F(FilmFileTest, KeepsAnEmptyFilm) {
     writeFilm(path_, {}, Film(2, 2, 1.0));
     EXPECT_TRUE(readFilm(path_).film.blocks().empty());

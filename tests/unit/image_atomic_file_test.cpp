@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/xattr.h>
+#include <unistd.h>
 
 #include "base/error.h"
 #include "support/scratch_folder.h"
@@ -104,6 +107,108 @@ TEST(AtomicFileTest, FollowsALinkAndKeepsIt) {
     writeFileAtomically(folder / "link", "new");
     EXPECT_TRUE(fs::is_symlink(folder / "link"));
     EXPECT_EQ(readBytes(folder / "elsewhere/picture"), "new");
+}
+
+// The target of a link need not exist, and the link may be relative, or lead to another link.
+TEST(AtomicFileTest, MakesTheTargetOfALink) {
+    const ScratchFolder folder;
+    fs::create_directory(folder / "elsewhere");
+    fs::create_symlink("elsewhere/picture", folder / "link");
+    fs::create_symlink("link", folder / "second");
+    checkWritable(folder / "second");
+    writeFileAtomically(folder / "second", "new");
+    EXPECT_TRUE(fs::is_symlink(folder / "link"));
+    EXPECT_TRUE(fs::is_symlink(folder / "second"));
+    EXPECT_EQ(readBytes(folder / "elsewhere/picture"), "new");
+    fs::create_symlink("circle", folder / "circle");
+    expectRefused(folder / "circle", "Too many levels of symbolic links");
+}
+
+// One name for one file, however it is reached and whether or not it exists.
+TEST(AtomicFileTest, NamesTheTargetOfAnOutput) {
+    const ScratchFolder folder;
+    const fs::path target = fs::canonical(folder.path()) / "new";
+    fs::create_directory(folder / "sub");
+    fs::create_symlink("../new", folder / "sub/link");
+    fs::create_directory_symlink(".", folder / "here");
+    for (const fs::path& path : {folder / "new", folder / "sub/../new", folder / "sub/link",
+                                 folder / "here/new", fs::relative(folder / "new")})
+        EXPECT_EQ(outputTarget(path), target) << path;
+}
+
+/// The twelve bits of the mode.
+mode_t modeOf(const fs::path& path) {
+    struct stat status {};
+    EXPECT_EQ(stat(path.c_str(), &status), 0);
+    return status.st_mode & 07777;
+}
+
+/// Sets the mask of new files' modes, and at the end the old one.
+class Umask {
+public:
+    explicit Umask(mode_t mask) : old_(umask(mask)) {}
+    Umask(const Umask&) = delete;
+    Umask& operator=(const Umask&) = delete;
+    ~Umask() { umask(old_); }
+
+private:
+    mode_t old_;
+};
+
+TEST(AtomicFileTest, KeepsTheModeOfAReplacedFile) {
+    const ScratchFolder folder;
+    for (const mode_t mask : {0022, 0077, 0000}) {
+        const Umask umask(mask);
+        const fs::path made = folder / ("made" + std::to_string(mask));
+        writeFileAtomically(made, "new");
+        EXPECT_EQ(modeOf(made), 0666 & ~mask);
+        for (const mode_t mode : {0600, 0640, 0664, 0666, 0755}) {
+            writeBytes(folder / "file", "old");
+            chmod((folder / "file").c_str(), mode);
+            checkWritable(folder / "file");
+            writeFileAtomically(folder / "file", "new");
+            EXPECT_EQ(modeOf(folder / "file"), mode);
+            EXPECT_EQ(readBytes(folder / "file"), "new");
+            fs::remove(folder / "file");
+        }
+    }
+}
+
+// Anybody may give a file to another of their groups; only root gives it to another owner.
+TEST(AtomicFileTest, KeepsTheOwnerOfAReplacedFile) {
+    if (geteuid() != 0)
+        GTEST_SKIP() << "files of other owners need root";
+    const ScratchFolder folder;
+    writeBytes(folder / "file", "old");
+    ASSERT_EQ(chown((folder / "file").c_str(), 12345, 23456), 0);
+    chmod((folder / "file").c_str(), 0660);
+    writeFileAtomically(folder / "file", "new");
+    struct stat status {};
+    ASSERT_EQ(stat((folder / "file").c_str(), &status), 0);
+    EXPECT_EQ(status.st_uid, 12345u);
+    EXPECT_EQ(status.st_gid, 23456u);
+    EXPECT_EQ(status.st_mode & 07777, 0660u);
+}
+
+TEST(AtomicFileTest, KeepsExtendedAttributes) {
+    const ScratchFolder folder;
+    const std::string path = folder / "file";
+    writeBytes(path, "old");
+    if (setxattr(path.c_str(), "user.calotype", "mine", 4, 0) != 0)
+        GTEST_SKIP() << "the file system of " << path << " has none";
+    writeFileAtomically(path, "new");
+    char value[16] = {};
+    EXPECT_EQ(getxattr(path.c_str(), "user.calotype", value, sizeof value), 4);
+    EXPECT_EQ(std::string(value), "mine");
+}
+
+// A name of as many bytes as the system allows leaves no room for a longer one beside it.
+TEST(AtomicFileTest, WritesFilesOfLongNames) {
+    const ScratchFolder folder;
+    const fs::path path = folder / std::string(255, 'n');
+    writeFileAtomically(path, "new");
+    EXPECT_EQ(readBytes(path), "new");
+    EXPECT_EQ(folder.entries(), 1u);
 }
 
 TEST(AtomicFileTest, WritesToADeviceInPlace) {

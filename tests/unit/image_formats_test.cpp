@@ -3,6 +3,7 @@
 #include <limits>
 
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
@@ -46,6 +47,23 @@ TEST(PngTest, IsDecodedToTheSamePixels) {
     EXPECT_EQ(channels, 3);
     EXPECT_EQ(std::memcmp(pixels, image.pixels.data(), image.pixels.size() * 3), 0);
     stbi_image_free(pixels);
+}
+
+// The chunk of the PNG specification, 11.3.2.5: one byte, 0 for the intent "perceptual", before the
+// pixels. Its checksum is that of zlib.
+TEST(PngTest, SaysThatItIsSrgb) {
+    Rgb8Image image(3, 2);
+    const std::string bytes = encodePng(image);
+    const std::string name("sRGB\0", 5);
+    const size_t at = bytes.find(name);
+    ASSERT_NE(at, std::string::npos);
+    EXPECT_EQ(bytes.substr(at - 4, 4), std::string("\0\0\0\1", 4));
+    EXPECT_EQ(bytes.find("IHDR") + 4 + 13 + 4 + 4, at) << "next to the header and its checksum";
+    EXPECT_LT(at, bytes.find("IDAT"));
+    uint32_t checksum = 0;
+    for (size_t i = 0; i < 4; ++i)
+        checksum = checksum << 8 | static_cast<unsigned char>(bytes[at + 5 + i]);
+    EXPECT_EQ(checksum, crc32(0, reinterpret_cast<const Bytef*>(name.data()), 5));
 }
 
 TEST(PngTest, RefusesMorePixelsThanItsEncoderCounts) {

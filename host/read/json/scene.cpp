@@ -79,6 +79,7 @@ SceneAndNotes readJsonScene(const std::string& path, const LoadOptions& options)
     for (const SceneOverride& override : options.overrides)
         applyOverride(document, override);
     JsonContext context(options, path);
+    context.files.push_back(path);
     nlohmann::json hashed = document;
     if (hashed.is_object())
         hashed.erase("render"); // its settings are compared one by one when films are joined

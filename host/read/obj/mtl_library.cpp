@@ -7,7 +7,6 @@
 
 #include "base/error.h"
 #include "base/lowercase.h"
-#include "base/read_file.h"
 #include "base/text_cursor.h"
 #include "read/obj/readings.h"
 
@@ -58,9 +57,8 @@ std::string truePath(const std::filesystem::path& path) {
 
 std::shared_ptr<const MtlFile> readMtl(const std::filesystem::path& path, ReadContext& context) {
     context.progress(path, 0.0);
-    const std::string text = readFile(path.string(), path.string());
-    context.hash.add(text);
-    auto file = std::make_shared<const MtlFile>(parseMtl(text, path.string(), context.files));
+    const std::string text = context.read(path.string(), path.string());
+    auto file = std::make_shared<const MtlFile>(parseMtl(text, path.string(), context.finder));
     for (const auto& [remark, occurrences] : file->remarks)
         context.warn(path.string(), remark + ": " + occurrences.text());
     return file;
@@ -93,7 +91,7 @@ public:
 
 private:
     bool read(const std::string& name) {
-        const auto path = name.empty() ? std::nullopt : context_.files.find(directory_, name);
+        const auto path = name.empty() ? std::nullopt : context_.finder.find(directory_, name);
         if (!path)
             return false;
         std::shared_ptr<const MtlFile>& file = files_.byPath[truePath(*path)];

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "base/names.h"
-#include "base/read_file.h"
 #include "read/mesh_formats.h"
 #include "scene/material_textures.h"
 
@@ -36,8 +35,7 @@ std::shared_ptr<const ObjFile> readObj(const std::string& path, const std::strin
     std::shared_ptr<const ObjFile>& cached = cache.files[path];
     if (!cached) {
         context.progress(path, 0.0);
-        const std::string text = readFile(path, where);
-        context.hash.add(text);
+        const std::string text = context.read(path, where);
         cached = std::make_shared<ObjFile>(meshFormatOf(path).parse(text, path));
         context.progress(path, 0.7);
         if (cached->crossingPolygons > 0) {

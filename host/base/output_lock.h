@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "base/error.h"
+
+namespace calotype {
+
+/// Another process writes the output.
+class OutputBusyError : public OutputError {
+public:
+    using OutputError::OutputError;
+};
+
+/// Keeps other processes from writing an output, on this machine and on others that share the
+/// folder. It is a lock of the system on a hidden file beside the output: it ends with the process,
+/// however that ends, and the destructor removes the file.
+class OutputLock {
+public:
+    /// `target` is the result of outputTarget for `path`, which messages name. Throws
+    /// OutputBusyError, with the process where it is known, if another one has the lock. Removes
+    /// what a killed process left beside the target. Devices, pipes, and folders whose file system
+    /// has no locks are not locked.
+    OutputLock(const std::filesystem::path& target, const std::string& path);
+    OutputLock(OutputLock&& other) noexcept;
+    OutputLock& operator=(OutputLock&& other) noexcept;
+    ~OutputLock();
+
+private:
+    std::filesystem::path file_;
+    int descriptor_ = -1; ///< -1: nothing is locked
+};
+
+} // namespace calotype
