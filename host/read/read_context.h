@@ -46,9 +46,9 @@ struct ReadContext {
         return static_cast<uint32_t>(scene.textures.size() - 1);
     }
 
-    /// Adds the sentence "WHERE: MESSAGE", once.
-    void warn(const std::string& where, const std::string& message) {
-        warnings.add(where, message);
+    /// Adds a warning, see Warnings::add.
+    void warn(const std::string& where, const std::string& message, const std::string& kind = "") {
+        warnings.add(where, message, kind);
     }
 
     void progress(const std::filesystem::path& file, double done) const {

@@ -16,7 +16,8 @@ void failOrWarn(const std::string& name, const std::filesystem::path& directory,
                 const std::string& where, ReadContext& context) {
     const std::string missing = "there is no image file " + inQuotes(name);
     if (context.options.missingTextures == MissingTextures::Warn) {
-        context.warn(where, missing + "; colours show magenta, and other maps are left out");
+        context.warn(where, missing + "; colours show magenta, and other maps are left out",
+                     "missing image files");
         return;
     }
     const std::string nearest = nearestFile(directory, name);

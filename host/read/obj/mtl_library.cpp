@@ -62,7 +62,7 @@ public:
 
     void warnOfMissing(const std::string& where, ReadContext& context) const {
         if (!missing_.empty())
-            context.warn(where, "cannot read " + listInQuotes(missing_));
+            context.warn(where, "cannot read " + listInQuotes(missing_), "missing MTL files");
     }
 
 private:
@@ -94,9 +94,9 @@ struct Ignored {
         const auto warnOf = [&](const char* what, const std::set<std::string>& names) {
             if (!names.empty()) {
                 const std::vector<std::string> list(names.begin(), names.end());
-                context.warn(where,
-                             std::string("these MTL ") + what +
-                                 " are not supported yet and were ignored: " + listInQuotes(list));
+                const std::string kind =
+                    std::string("these MTL ") + what + " are not supported yet and were ignored: ";
+                context.warn(where, kind + listInQuotes(list), kind);
             }
         };
         warnOf("statements", statements);
