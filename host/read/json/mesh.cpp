@@ -35,9 +35,10 @@ std::vector<JsonKey> meshKeys() {
                 "files are read."),
         JsonKey("materials", mapType(materialNameType()),
                 "Materials of the scene by the OBJ's own names; \"*\" stands for every other."),
-        JsonKey("normals", choiceType(kNormalModes),
-                "auto: the file's where it has them, else flat. smooth: the area-weighted mean at "
-                "each position.")
+        JsonKey(
+            "normals", choiceType(kNormalModes),
+            "auto: the file's where it has them, else those of its smoothing groups, else flat. "
+            "smooth: the area-weighted mean at each position.")
             .orElseJson("\"auto\""),
         displacementKey(),
         transformKey(),
