@@ -10,6 +10,7 @@
 #include "cli/device_environment.h"
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
+#include "cli/interrupt_deadline.h"
 #include "engine/bench.h"
 #include "engine/bench_scene.h"
 #include "engine/scene_settings.h"
@@ -40,7 +41,10 @@ std::vector<BenchScene> scenesOf(const BenchOptions& options) {
 BenchReport measure(const BenchScene& benchScene, const BenchOptions& options,
                     const DeviceOptions& device) {
     double loadSeconds = 0.0;
-    const Scene scene = timed(loadSeconds, benchScene.load);
+    const Scene scene = timed(loadSeconds, [&] {
+        const InterruptDeadline deadline("interrupted while a scene was loaded");
+        return benchScene.load();
+    });
     RenderSettings settings = defaultSettings(scene);
     settings.samplesPerPixel = kBenchSamples;
     options.settings.applyTo(settings);

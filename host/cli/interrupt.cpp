@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "base/error.h"
+#include "cli/interrupt_deadline.h"
 
 namespace calotype {
 namespace {
@@ -28,6 +29,7 @@ void onSignal(int signal) {
     else if (secondsBetween(firstSignalAt, now) > kSameSignal)
         _exit(128 + signal);
     interrupted = 1;
+    startInterruptDeadline();
 }
 
 } // namespace

@@ -16,6 +16,7 @@
 #include "cli/device_environment.h"
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
+#include "cli/interrupt_deadline.h"
 #include "cli/progress.h"
 #include "cli/read_scene.h"
 #include "engine/devices.h"
@@ -152,11 +153,13 @@ int studyCommand(const StudyOptions& options) {
         const double left = options.budget - secondsSince(start);
         progress.step(what + ", " + durationText(std::max(0.0, left)) + " left", done);
     };
+    std::optional<InterruptDeadline> deadline(Interrupted().what());
     const Scene scene =
         readScene(options.scene, options.settings, [&](const std::string& what, double) {
             throwIfInterrupted();
             show(what);
         });
+    deadline.reset();
     progress.clear();
     const std::filesystem::path folder = makeFolder(options);
     printWarnings(scene);
