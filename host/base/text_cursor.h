@@ -1,9 +1,15 @@
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <optional>
+#include <string>
 #include <string_view>
+
+#include "base/lowercase.h"
 
 namespace calotype {
 
@@ -52,8 +58,29 @@ private:
     const char* end_;
 };
 
-/// A decimal number that is the whole word, also "inf" and "nan"; infinite if it is too large for a
-/// double. nullopt for anything else.
+/// What Microsoft's older printf writes for infinity and NaN, whatever its precision: "1.#INF",
+/// "-1.#IND00", "1.#QNAN", rounded "1.#J" and "1.$". nullopt for anything else.
+inline std::optional<double> parseMicrosoftNonFinite(std::string_view word) {
+    const bool isNegative = word.starts_with('-');
+    if (isNegative)
+        word.remove_prefix(1);
+    const bool isRounded = word.starts_with("1.$");
+    if (!isRounded && !(word.starts_with("1.#") && word.size() > 3))
+        return std::nullopt;
+    std::string kind(word.substr(3));
+    while (!kind.empty() && kind.back() == '0') // padding
+        kind.pop_back();
+    kind = lowercase(kind);
+    constexpr std::string_view kNan[] = {"ind", "qnan", "snan", "io", "qo", "so", "j", "r", "t"};
+    if (kind == "inf")
+        return isNegative ? -HUGE_VAL : HUGE_VAL;
+    if (isRounded ? kind.empty() : std::ranges::find(kNan, kind) != std::end(kNan))
+        return std::numeric_limits<double>::quiet_NaN();
+    return std::nullopt;
+}
+
+/// A decimal number that is the whole word, or infinity or NaN in any form that printf writes;
+/// infinite if it is too large for a double. nullopt for anything else.
 inline std::optional<double> parseNumber(std::string_view word) {
     if (word.size() > 1 && word.front() == '+' && word[1] != '-')
         word.remove_prefix(1);
@@ -61,7 +88,7 @@ inline std::optional<double> parseNumber(std::string_view word) {
     const char* const end = word.data() + word.size();
     const auto [stop, error] = std::from_chars(word.data(), end, value);
     if (stop != end || error == std::errc::invalid_argument)
-        return std::nullopt;
+        return parseMicrosoftNonFinite(word);
     if (error == std::errc::result_out_of_range) {
         // from_chars does not say which: a negative exponent means nearly zero.
         return word.find("e-") != word.npos || word.find("E-") != word.npos ? 0.0 : HUGE_VAL;

@@ -1,26 +1,31 @@
 #pragma once
 
-#include <algorithm>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace calotype {
 
-/// Sentences for the author of a scene, each once, in the order in which they were added.
+/// Sentences for the author of a scene. Many warnings of one kind become one sentence.
 class Warnings {
 public:
-    /// Adds the sentence "WHERE: MESSAGE".
-    void add(const std::string& where, const std::string& message) {
-        std::string sentence = where + ": " + message;
-        if (std::ranges::find(sentences_, sentence) == sentences_.end())
-            sentences_.push_back(std::move(sentence));
-    }
+    /// Adds the warning "WHERE: MESSAGE", once. Warnings are of one kind if their `kind` is equal;
+    /// it is not shown, and by default it is the message.
+    void add(const std::string& where, const std::string& message, const std::string& kind = "");
 
-    const std::vector<std::string>& sentences() const { return sentences_; }
+    /// One for each kind, in the order of their first warnings: the first warning and, in
+    /// parentheses, the number of the others and the places of two of them.
+    std::vector<std::string> sentences() const;
 
 private:
-    std::vector<std::string> sentences_;
+    struct Warning {
+        std::string where;
+        std::string message;
+        std::string kind;
+    };
+    std::vector<Warning> warnings_;
+    std::set<std::pair<std::string, std::string>> known_; ///< places and messages
 };
 
 } // namespace calotype

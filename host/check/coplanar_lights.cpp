@@ -21,7 +21,6 @@ namespace {
 /// from each other (CoplanarLightTest in tests/extremes), but confuses some at a tenth of it.
 constexpr double kGap = 1e-6;
 constexpr double kMostPairs = 1e7;
-constexpr size_t kMostNamed = 5; ///< lights named in the warning
 
 /// A triangle; or a disk, the cap of a cylinder or the base of a cone, as a polygon inside it. The
 /// polygon is smaller by 2 % of the radius at most.
@@ -156,7 +155,7 @@ void warn(const Scene& scene, Warnings& warnings, const Facet& light, const Face
                                            : placeOfShape(scene, other.shape))
             << ", so that rounding decides which of the two is seen; move it off by " << gap
             << " m or more";
-    warnings.add(placeOfShape(scene, light.shape), message.str());
+    warnings.add(placeOfShape(scene, light.shape), message.str(), "coplanar lights");
 }
 
 } // namespace
@@ -180,16 +179,10 @@ void warnOfCoplanarLights(const Scene& scene, Warnings& warnings) {
             if (!isItself(light, other) && isInPlaneOf(light, other, gap) &&
                 !coplanar.contains(light.shape) && overlap(light, other, gap)) {
                 coplanar.insert(light.shape);
-                if (coplanar.size() <= kMostNamed)
-                    warn(scene, warnings, light, other, gap);
+                warn(scene, warnings, light, other, gap);
             }
         }
     });
-    if (coplanar.size() > kMostNamed) {
-        warnings.add(scene.place,
-                     std::to_string(coplanar.size() - kMostNamed) +
-                         " more lights lie in the plane of another shape in the same way");
-    }
 }
 
 } // namespace calotype

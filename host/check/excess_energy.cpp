@@ -53,10 +53,12 @@ void warnOfExcessEnergy(const Scene& scene, Warnings& warnings) {
         }
     }
     for (const auto& [place, excess] : excessOfPlace) {
-        warnings.add(place,
-                     materialsOfPlace[place] > 1
-                         ? energyWarning(scene, excess)
-                         : energyWarning(scene.materials[excess.materials.front()], excess.most));
+        const Material& first = scene.materials[excess.materials.front()];
+        if (materialsOfPlace[place] > 1)
+            warnings.add(place, energyWarning(scene, excess), "materials that reflect too much");
+        else
+            warnings.add(place, energyWarning(first, excess.most),
+                         "reflects too much: " + kindOf(first).name);
     }
 }
 

@@ -25,7 +25,8 @@ void warnOfLightPrecision(const Scene& scene, Warnings& warnings) {
                          emitter.subject +
                              "shines with less than 5e-17 of the radiance of the brightest "
                              "light, beside which the film loses it; render the two in "
-                             "pictures of their own and add these");
+                             "pictures of their own and add these",
+                         "lights that are too faint");
         }
     }
 }

@@ -93,7 +93,8 @@ void warnOfTexturePrecision(const Scene& scene, Warnings& warnings) {
                          twoDigits(0.5 * excess.texels / kFarthestTexel) +
                          " of them (take whole numbers off the texture coordinates, or repeat the "
                          "textures less): " +
-                         listInQuotes(excess.names));
+                         listInQuotes(excess.names),
+                     "textures read too far from their origin");
     }
 }
 

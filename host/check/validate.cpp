@@ -12,6 +12,7 @@
 #include "check/valid_camera.h"
 #include "check/valid_materials.h"
 #include "check/valid_shapes.h"
+#include "check/winding.h"
 
 namespace calotype {
 
@@ -27,6 +28,7 @@ void validate(const Scene& scene, Warnings& warnings) {
     warnOfTexturePrecision(scene, warnings);
     warnOfThinQuadrics(scene, warnings);
     warnOfSmallShapes(scene, warnings);
+    warnOfWinding(scene, warnings);
     warnOfBlackPicture(scene, warnings);
 }
 

@@ -12,6 +12,7 @@
 #include "cli/device_environment.h"
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
+#include "cli/interrupt_deadline.h"
 #include "cli/output_claims.h"
 #include "cli/read_scene.h"
 #include "engine/bench.h"
@@ -60,7 +61,10 @@ OutputClaims claimJson(const BenchOptions& options, const DeviceOptions& device)
 BenchReport measure(const BenchScene& benchScene, const BenchOptions& options,
                     const DeviceOptions& device) {
     double loadSeconds = 0.0;
-    const Scene scene = timed(loadSeconds, benchScene.load);
+    const Scene scene = timed(loadSeconds, [&] {
+        const InterruptDeadline deadline("interrupted while a scene was loaded");
+        return benchScene.load();
+    });
     RenderSettings settings = defaultSettings(scene);
     settings.samplesPerPixel = kBenchSamples;
     options.settings.applyTo(settings);

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "base/error.h"
+#include "cli/interrupt_deadline.h"
 
 namespace calotype {
 namespace {
@@ -34,6 +35,7 @@ void onSignal(int signal) {
     else if (isImpatient(signal) && secondsBetween(firstSignalAt, now) > kSameSignal)
         _exit(128 + signal);
     interrupted = 1;
+    startInterruptDeadline();
 }
 
 bool isIgnored(int signal) {

@@ -11,6 +11,7 @@
 #include "cli/device_environment.h"
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
+#include "cli/interrupt_deadline.h"
 #include "cli/progress.h"
 #include "cli/read_scene.h"
 #include "cli/render_report.h"
@@ -57,6 +58,7 @@ public:
         options_.settings.applyTo(given);
         requireKnownTo(options_.device, given);
         double loadSeconds = 0.0;
+        deadline_.emplace(Interrupted().what());
         progress_.emplace(options_.quiet);
         LoadedScene scene = timed(loadSeconds, [&] { return load(); });
         progress_->clear();
@@ -87,6 +89,7 @@ private:
             if (!isSampling_)
                 progress_->step(what, done);
         };
+        callbacks.onPrepared = [&] { deadline_.reset(); };
         callbacks.onSamples = [&](const RenderPlan& plan, const RenderTotals& totals) {
             if (isSampling_)
                 return progress_->rendering(totals);
@@ -103,6 +106,7 @@ private:
 
     RenderOptions options_;
     const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    std::optional<InterruptDeadline> deadline_; ///< until a file may be written
     std::optional<Progress> progress_;
     bool isSampling_ = false;
 };

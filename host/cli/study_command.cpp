@@ -19,6 +19,7 @@
 #include "cli/device_environment.h"
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
+#include "cli/interrupt_deadline.h"
 #include "cli/output_claims.h"
 #include "cli/progress.h"
 #include "cli/read_scene.h"
@@ -171,11 +172,13 @@ int studyCommand(const StudyOptions& options) {
         const double left = options.budget - secondsSince(start);
         progress.step(what + ", " + durationText(std::max(0.0, left)) + " left", done);
     };
+    std::optional<InterruptDeadline> deadline(Interrupted().what());
     LoadedScene loaded =
         readScene(options.scene, options.settings, device, [&](const std::string& what, double) {
             throwIfInterrupted();
             show(what);
         });
+    deadline.reset();
     progress.clear();
     const std::filesystem::path folder = makeFolder(options);
     std::optional<OutputClaims> claims = claimFiles(folder, loaded);

@@ -24,6 +24,8 @@ struct RenderCallbacks {
     /// Called about ten times a second with the current step, such as "building the BVH" or
     /// "rendering", and its share done in [0, 1].
     std::function<void(const std::string& what, double done)> onProgress = {};
+    /// Called once, when everything is read, built and compiled, before the first file is written.
+    std::function<void()> onPrepared = {};
     /// The numbers of the step "rendering": called when sampling starts, and then before each
     /// onProgress.
     std::function<void(const RenderPlan& plan, const RenderTotals& totals)> onSamples = {};

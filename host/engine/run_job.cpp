@@ -71,6 +71,8 @@ public:
         if (wantsHits)
             hits = engine->firstHits([&](double done) { prepare("finding first hits", done); });
         const PictureWriter writer(job_.output, keeper.label(), std::move(hits), folders);
+        if (callbacks_.onPrepared)
+            callbacks_.onPrepared();
         const std::unique_ptr<Session> session = begin(*engine, keeper);
         const double prepared = secondsSince(start_);
         result_.plan = planFor(*session);
@@ -106,7 +108,10 @@ private:
         report(what, done);
     }
 
+    /// Each warning once: a checkpoint or preview that fails may do so every time.
     void warn(const std::string& warning) {
+        if (std::ranges::find(result_.warnings, warning) != result_.warnings.end())
+            return;
         result_.warnings.push_back(warning);
         if (callbacks_.onWarning)
             callbacks_.onWarning(warning);

@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 #include "mesh/area_normals.h"
-#include "mesh/distinct_values.h"
+#include "mesh/smooth_normals.h"
 
 namespace calotype {
 namespace {
@@ -118,37 +118,20 @@ private:
     uint64_t dropped_ = 0;
 };
 
-/// Replaces the normals by one per distinct position. Triangles become flat if the normals at one
-/// of their positions cancel.
-void smoothNormals(Mesh& mesh) {
-    DistinctValues<glm::dvec3> distinct;
-    const std::vector<uint32_t> place = distinct.addAll(mesh.positions);
-    std::vector<Mesh::Triangle> merged = mesh.triangles;
-    for (Mesh::Triangle& triangle : merged)
-        for (uint32_t& corner : triangle.position)
-            corner = place[corner];
-    mesh.normals = areaWeightedNormals(distinct.values(), merged);
-    for (size_t i = 0; i < merged.size(); ++i) {
-        const auto& corners = merged[i].position;
-        const bool cancelled = std::ranges::any_of(
-            corners, [&](uint32_t corner) { return mesh.normals[corner] == glm::dvec3(0.0); });
-        for (int k = 0; k < 3; ++k)
-            mesh.triangles[i].normal[k] = cancelled ? Mesh::kNoNormal : corners[k];
-    }
-}
-
 } // namespace
 
 MeshAndDropped buildMesh(const ObjectMesh& source, const AffineTransform& worldFromObject,
-                         NormalMode mode, const std::string& where) {
+                         NormalMode mode, const std::string& where, const OnProgress& onProgress) {
     MeshBuilder builder(source, worldFromObject, mode == NormalMode::Auto);
-    for (const Mesh::Triangle& triangle : source.triangles)
-        builder.add(triangle, where);
+    for (size_t i = 0; i < source.triangles.size(); ++i) {
+        reportStep(onProgress, i, source.triangles.size());
+        builder.add(source.triangles[i], where);
+    }
     MeshAndDropped result = std::move(builder).take();
     if (result.mesh.triangles.empty())
         throw SceneError(where, "no triangle of this shape has an area");
     if (mode == NormalMode::Smooth)
-        smoothNormals(result.mesh);
+        smoothNormals(result.mesh.positions, result.mesh.triangles, result.mesh.normals);
     return result;
 }
 

@@ -5,6 +5,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "base/progress.h"
 #include "math/affine_transform.h"
 #include "mesh/object_mesh.h"
 #include "scene/scene.h"
@@ -13,7 +14,7 @@ namespace calotype {
 
 /// The source of a mesh's shading normals.
 enum class NormalMode {
-    Auto,   ///< as given; flat if there are none
+    Auto,   ///< as given; flat where there are none
     Smooth, ///< at each position the mean of its triangles, weighted by area
     Flat,
 };
@@ -28,7 +29,8 @@ struct MeshAndDropped {
 /// Throws SceneError at `where` if a vertex is not finite after the transform, or if no triangle is
 /// left.
 MeshAndDropped buildMesh(const ObjectMesh& source, const AffineTransform& worldFromObject,
-                         NormalMode mode, const std::string& where);
+                         NormalMode mode, const std::string& where,
+                         const OnProgress& onProgress = {});
 
 /// The area of one side.
 double triangleArea(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);

@@ -12,7 +12,7 @@ struct MeshFormat {
     std::string_view extension; ///< in lower case, such as ".obj"
     /// Parses the text of the file at `path` (the name for messages). Throws SceneError with the
     /// place of the first mistake.
-    ObjFile (*parse)(std::string_view text, const std::string& path);
+    ObjFile (*parse)(std::string_view text, const std::string& path, const OnProgress& onProgress);
 };
 
 /// The format of the file with that name, by its extension; OBJ for any other extension. A new

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -39,16 +38,8 @@ struct ReadContext {
     /// cannot be read. Each is read once for all textures.
     std::map<std::string, std::shared_ptr<const TexelImage>> images = {};
 
-    /// Sentences about image files that are missing or cannot be read.
-    std::set<std::string> unreadableTextures = {};
-    static constexpr size_t kMostUnreadableNamed = 4;
-
     /// The scene with its hash, and the warnings.
     SceneAndNotes finish() && {
-        if (unreadableTextures.size() > kMostUnreadableNamed)
-            warn(scene.place, "cannot read " +
-                                  std::to_string(unreadableTextures.size() - kMostUnreadableNamed) +
-                                  " more image files");
         scene.hash = hash.value();
         return {std::move(scene), std::move(warnings), std::move(files)};
     }
@@ -73,9 +64,9 @@ struct ReadContext {
         return static_cast<uint32_t>(scene.textures.size() - 1);
     }
 
-    /// Adds the sentence "WHERE: MESSAGE", once.
-    void warn(const std::string& where, const std::string& message) {
-        warnings.add(where, message);
+    /// Adds a warning, see Warnings::add.
+    void warn(const std::string& where, const std::string& message, const std::string& kind = "") {
+        warnings.add(where, message, kind);
     }
 
     void progress(const std::filesystem::path& file, double done) const {

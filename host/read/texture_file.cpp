@@ -1,6 +1,5 @@
 #include "read/texture_file.h"
 
-#include <set>
 #include <string>
 
 #include "base/error.h"
@@ -26,18 +25,16 @@ std::string whyMissing(const std::string& name, const std::filesystem::path& dir
     return "the image file " + inQuotes(name) + " cannot be opened; check that it may be read";
 }
 
-void warnOnce(const std::string& problem, const std::string& where, ReadContext& context) {
-    std::set<std::string>& known = context.unreadableTextures;
-    const bool isNew = known.insert(where + ": " + problem).second;
-    if (isNew && known.size() <= ReadContext::kMostUnreadableNamed)
-        context.warn(where, problem + "; colours show magenta, and other maps are left out");
+void warnOf(const std::string& problem, const std::string& where, ReadContext& context) {
+    context.warn(where, problem + "; colours show magenta, and other maps are left out",
+                 "image files that cannot be read");
 }
 
 TextureFile failOrWarn(const std::string& name, const std::filesystem::path& directory,
                        const std::string& where, ReadContext& context) {
     const std::string problem = whyMissing(name, directory);
     if (context.options.missingTextures == MissingTextures::Warn) {
-        warnOnce(problem, where, context);
+        warnOf(problem, where, context);
         return {};
     }
     const std::string nearest = context.finder.nearest(directory, name);
@@ -81,8 +78,8 @@ TextureFile readTextureFile(const std::string& name, const std::filesystem::path
     } catch (const SceneError& error) {
         if (context.options.missingTextures == MissingTextures::Fail)
             throw SceneError(error.where(), problemOf(error) + kHint);
-        warnOnce("the image file " + inQuotes(name) + " cannot be read: " + problemOf(error), where,
-                 context);
+        warnOf("the image file " + inQuotes(name) + " cannot be read: " + problemOf(error), where,
+               context);
         context.images[path] = nullptr; // so that it is read once
         return {};
     }

@@ -130,6 +130,7 @@ struct Shape {
     std::variant<Sphere, Cylinder, Cone, Disk, Mesh> geometry;
     uint32_t material = 0; ///< index into Scene::materials; meshes carry theirs per triangle
     std::string place;     ///< file and JSON pointer, for messages
+    std::string file = {}; ///< that a mesh was read from, for messages; else empty
 };
 
 /// A light of the file is a shape with a black, emitting material: it is seen, reflected, sampled,

@@ -176,12 +176,10 @@ TEST_F(MtlMapsTest, MissingImages) {
               (std::vector<uint8_t>{255, 0, 255, 255}));
     EXPECT_EQ(material.alphaTexture, Material::kNoTexture);
     EXPECT_EQ(material.normalMap, Material::kNoTexture);
-    EXPECT_EQ(std::ranges::count_if(scene.warnings,
-                                    [](const std::string& warning) {
-                                        return warning.find("there is no image file") !=
-                                               std::string::npos;
-                                    }),
-              3);
+    EXPECT_TRUE(std::ranges::any_of(scene.warnings, [](const std::string& warning) {
+        return warning.find("there is no image file") != std::string::npos &&
+               warning.find("(and 2 more of this kind, at ") != std::string::npos;
+    }));
 }
 
 TEST_F(MtlMapsTest, TexturesLieBesideTheirMtl) {

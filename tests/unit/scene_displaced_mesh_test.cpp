@@ -101,7 +101,9 @@ TEST_F(SceneDisplacedMeshTest, WarnsWhereItReadsMissingCoordinates) {
               std::string::npos);
     EXPECT_NEAR(heightOf(read(std::string(R"("material": "plain")") + kOwn, "bare.obj")), -2.56,
                 1e-14);
-    EXPECT_EQ(context.warnings.sentences().size(), 2u);
+    ASSERT_EQ(context.warnings.sentences().size(), 1u);
+    EXPECT_NE(context.warnings.sentences()[0].find("(and 1 more of this kind, at "),
+              std::string::npos);
 }
 
 TEST_F(SceneDisplacedMeshTest, OtherShapesStayAndAreWarnedOf) {

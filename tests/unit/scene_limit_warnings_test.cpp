@@ -57,10 +57,10 @@ TEST_F(LimitWarningsTest, CountLampsInsteadOfNamingAll) {
     nlohmann::json scene = underCeiling(diskAt(2.0));
     for (int i = 0; i < 30; ++i)
         scene["lights"].push_back(scene["lights"][0]);
-    EXPECT_EQ(warningsOf(scene, "lies in the plane of").size(), 5u);
-    const auto others = warningsOf(scene, "lights lie in the plane of");
-    ASSERT_EQ(others.size(), 1u);
-    EXPECT_NE(others[0].find("26 more lights"), std::string::npos) << others[0];
+    const auto warnings = warningsOf(scene, "lies in the plane of");
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_NE(warnings[0].find("(and 30 more of this kind, at "), std::string::npos)
+        << warnings[0];
 }
 
 TEST_F(LimitWarningsTest, NotOfLampsApartBesideOrAcross) {
@@ -87,9 +87,14 @@ TEST_F(LimitWarningsTest, LampsThatCrossInOnePlane) {
     };
     nlohmann::json scene = sceneWithLight(strip(9.0, 0.1));
     scene["lights"].push_back(nlohmann::json::parse(strip(0.1, 9.0)));
-    EXPECT_EQ(warningsOf(scene, "lies in the plane of").size(), 2u);
+    const auto isToldOfBoth = [&] {
+        const auto warnings = warningsOf(scene, "lies in the plane of");
+        return warnings.size() == 1 &&
+               warnings[0].find("(and 1 more of this kind, at ") != std::string::npos;
+    };
+    EXPECT_TRUE(isToldOfBoth());
     scene["lights"][1] = nlohmann::json::parse(strip(0.1, 0.1));
-    EXPECT_EQ(warningsOf(scene, "lies in the plane of").size(), 2u);
+    EXPECT_TRUE(isToldOfBoth());
 }
 
 TEST_F(LimitWarningsTest, CapsAndBasesInThePlaneOfACeiling) {

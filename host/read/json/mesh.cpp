@@ -37,9 +37,10 @@ std::vector<JsonKey> meshKeys() {
             "materials", mapType(materialNameType()),
             "Materials of the scene by the OBJ's own names; \"*\" stands for every other. Without "
             "it, the others are those of the MTL files."),
-        JsonKey("normals", choiceType(kNormalModes),
-                "auto: the file's where it has them, else flat. smooth: the area-weighted mean at "
-                "each position.")
+        JsonKey(
+            "normals", choiceType(kNormalModes),
+            "auto: the file's where it has them, else those of its smoothing groups, else flat. "
+            "smooth: the area-weighted mean at each position.")
             .orElseJson("\"auto\""),
         displacementKey(),
         transformKey(),

@@ -40,9 +40,11 @@ const JsonObjectTypes& shapeTypes() {
 /// Warns if the material of a shape other than a "mesh" has a displacement.
 void warnOfDisplacement(const Shape& shape, JsonContext& context) {
     if (context.displacements[shape.material]) {
-        context.warn(shape.place, "the displacement of the material " +
-                                      inQuotes(context.scene.materials[shape.material].name) +
-                                      " moves meshes only; this shape stays as it is");
+        context.warn(shape.place,
+                     "the displacement of the material " +
+                         inQuotes(context.scene.materials[shape.material].name) +
+                         " moves meshes only; this shape stays as it is",
+                     "displacements of shapes that are no meshes");
     }
 }
 
@@ -57,6 +59,7 @@ Shape readShape(const JsonValue& value, JsonContext& context) {
     shape.place = value.where();
     if (type == ShapeType::kMesh) {
         shape.geometry = readMesh(object, context);
+        shape.file = object.required("file").text();
         return shape;
     }
     shape.material = findMaterial(object.required("material"), context);

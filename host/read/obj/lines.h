@@ -13,6 +13,11 @@ inline std::string_view withoutByteOrderMark(std::string_view text) {
     return text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
 }
 
+/// The number of lines, or fewer if some end in CR alone; for the progress.
+inline size_t lineCount(std::string_view text) {
+    return static_cast<size_t>(std::ranges::count(text, '\n')) + 1;
+}
+
 /// Calls `visit(number, line)` for each line of an OBJ or MTL text, numbered from 1, without
 /// leading blanks and line end (LF, CRLF or CR). A line that ends in a backslash, unless it is a
 /// comment, continues on the next; both are visited as one line, with the number of the first.

@@ -91,7 +91,7 @@ Shape readModel(const std::string& path, ReadContext& context) {
                                  materialsFromMtl(*obj, path, allMaterials(*obj), cache, context),
                              .displacements = {},
                              .worldFromObject = {}};
-    return {.geometry = buildObjMesh(*obj, input, context), .place = path};
+    return {.geometry = buildObjMesh(*obj, input, context), .place = path, .file = path};
 }
 
 Camera placeCamera(const Mesh& mesh, const ModelExtent& extent) {

@@ -60,7 +60,7 @@ std::shared_ptr<const MtlFile> readMtl(const std::filesystem::path& path, ReadCo
     const std::string text = context.read(path.string(), path.string());
     auto file = std::make_shared<const MtlFile>(parseMtl(text, path.string(), context.finder));
     for (const auto& [remark, occurrences] : file->remarks)
-        context.warn(path.string(), remark + ": " + occurrences.text());
+        context.warn(path.string(), remark + ": " + occurrences.text(), remark);
     return file;
 }
 

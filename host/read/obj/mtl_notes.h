@@ -35,7 +35,7 @@ public:
 
     void warn(const std::string& where, ReadContext& context) const {
         for (const auto& [remark, materials] : notes_)
-            context.warn(where, remark + " in " + listInQuotes(materials));
+            context.warn(where, remark + " in " + listInQuotes(materials), remark);
     }
 
 private:

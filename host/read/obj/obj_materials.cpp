@@ -31,9 +31,9 @@ struct Ignored {
         const auto warnOf = [&](const char* what, const std::set<std::string>& names) {
             if (!names.empty()) {
                 const std::vector<std::string> list(names.begin(), names.end());
-                context.warn(where,
-                             std::string("these MTL ") + what +
-                                 " are not supported yet and were ignored: " + listInQuotes(list));
+                const std::string kind =
+                    std::string("these MTL ") + what + " are not supported yet and were ignored: ";
+                context.warn(where, kind + listInQuotes(list), kind);
             }
         };
         warnOf("statements", statements);
@@ -62,7 +62,8 @@ public:
                 obj.libraries, std::filesystem::path(objPath).parent_path(), cache.mtlFiles,
                 context);
             if (!materials.library->missing().empty())
-                context.warn(objPath, "cannot read " + listInQuotes(materials.library->missing()));
+                context.warn(objPath, "cannot read " + listInQuotes(materials.library->missing()),
+                             "missing MTL files");
         }
         library_ = materials.library.get();
     }
@@ -96,7 +97,8 @@ public:
                       "a neutral grey stands for the undefined material in " +
                           listInQuotes(undefined_) + " (used from line " +
                           std::to_string(undefinedLine_) + " on)" +
-                          (nearest.empty() ? "" : "; did you mean " + inQuotes(nearest) + "?"));
+                          (nearest.empty() ? "" : "; did you mean " + inQuotes(nearest) + "?"),
+                      "undefined materials");
     }
 
 private:

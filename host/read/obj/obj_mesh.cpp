@@ -18,14 +18,19 @@ void warnOfMissingUvs(std::span<const Mesh::Triangle> triangles, const ObjMeshIn
     for (const Mesh::Triangle& triangle : triangles)
         if (triangle.uv[0] == Mesh::kNoUv)
             lacking.insert(triangle.material);
+    std::vector<std::string> names;
     for (const uint32_t index : lacking) {
         const Material& material = context.scene.materials[index];
         const bool isDisplaced = index < input.displacements.size() && input.displacements[index];
-        if (hasTextures(material) || isDisplaced) {
-            context.warn(input.path, "faces of the textured material " + inQuotes(material.name) +
-                                         " lack texture coordinates, which count as (0, 0)");
-        }
+        if (hasTextures(material) || isDisplaced)
+            names.push_back(material.name);
     }
+    if (names.empty())
+        return;
+    context.warn(input.path,
+                 std::string("faces of the textured material") + (names.size() > 1 ? "s " : " ") +
+                     listInQuotes(names) + " lack texture coordinates, which count as (0, 0)",
+                 "textured faces without texture coordinates");
 }
 
 } // namespace
@@ -36,13 +41,10 @@ std::shared_ptr<const ObjFile> readObj(const std::string& path, const std::strin
     if (!cached) {
         context.progress(path, 0.0);
         const std::string text = context.read(path, where);
-        cached = std::make_shared<ObjFile>(meshFormatOf(path).parse(text, path));
-        context.progress(path, 0.7);
-        if (cached->crossingPolygons > 0) {
-            context.warn(path, "polygons that cross themselves or are far from flat, cut into "
-                               "triangles that may overlap: " +
-                                   std::to_string(cached->crossingPolygons));
-        }
+        const auto onProgress = [&](double done) { context.progress(path, 0.7 * done); };
+        cached = std::make_shared<ObjFile>(meshFormatOf(path).parse(text, path, onProgress));
+        for (const ObjNote& note : cached->notes)
+            context.warn(path, note.message, note.kind);
     }
     return cached;
 }
@@ -59,11 +61,13 @@ Mesh buildObjMesh(const ObjFile& obj, const ObjMeshInput& input, ReadContext& co
         displace(source, input.displacements, context.scene.textures, input.path);
     if (displaced)
         source = {displaced->positions, displaced->normals, displaced->uvs, displaced->triangles};
-    auto [mesh, dropped] = buildMesh(source, input.worldFromObject, input.normals, input.where);
+    const auto onProgress = [&](double done) { context.progress(input.path, 0.7 + 0.3 * done); };
+    auto [mesh, dropped] =
+        buildMesh(source, input.worldFromObject, input.normals, input.where, onProgress);
     if (dropped > 0) {
         context.scene.droppedTriangles += dropped;
-        context.warn(input.path,
-                     "triangles left out because they have no area: " + std::to_string(dropped));
+        const std::string kind = "triangles left out because they have no area";
+        context.warn(input.path, kind + ": " + std::to_string(dropped), kind);
     }
     context.progress(input.path, 1.0);
     return std::move(mesh);

@@ -1,12 +1,11 @@
 #include "read/obj/outline.h"
 
-#include <array>
-#include <charconv>
+#include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 
 #include "base/error.h"
+#include "base/lowercase.h"
 #include "base/names.h"
 #include "base/text_cursor.h"
 #include "read/obj/lines.h"
@@ -16,171 +15,150 @@
 namespace calotype {
 namespace {
 
-/// Kinds of vertex data, in the order of a corner's fields.
-enum Kind { kPosition, kTexcoord, kNormal, kKindCount };
-
-constexpr std::array<const char*, kKindCount> kKindNames = {"position", "texture coordinate",
-                                                            "normal"};
-constexpr std::array<const char*, kKindCount> kKeywords = {"v", "vt", "vn"};
-constexpr std::array<int, kKindCount> kFewestNumbers = {3, 1, 3};
+constexpr std::array<const char*, kObjDataCount> kNames = {"position", "texture coordinate",
+                                                           "normal"};
+constexpr std::array<const char*, kObjDataCount> kKeywords = {"v", "vt", "vn"};
+constexpr std::array<int, kObjDataCount> kFewestNumbers = {3, 1, 3};
 /// Further numbers (weights, colours) are not used, but they must still be numbers.
-constexpr std::array<int, kKindCount> kUsedNumbers = {3, 2, 3};
+constexpr std::array<int, kObjDataCount> kUsedNumbers = {3, 2, 3};
+/// Position and colour. The colour may follow a weight.
+constexpr int kNumbersWithColor = 6;
 
-/// The vertex data that faces use, by kind and index.
-using Usage = std::array<std::vector<bool>, kKindCount>;
+/// Statements that show something in other programs: points, lines, curves, surfaces, patches,
+/// texture maps of faces, and further files.
+constexpr std::array<std::string_view, 14> kUnrendered = {
+    "p",   "l",   "curv", "curv2",  "surf",   "fo",        "bzp",
+    "bsp", "cdc", "cdp",  "usemap", "maplib", "trace_obj", "call"};
 
-/// One pass over the text. The first pass accepts bad numbers. If it found some, a second pass
-/// collects what faces use, and a third reports bad numbers among that.
-class ObjPass {
+class OutlineReader {
 public:
-    ObjPass(const std::string& path, Usage* collected, const Usage* relevant)
-        : path_(path), collected_(collected), relevant_(relevant) {}
+    explicit OutlineReader(const std::string& path) : path_(path) {}
 
-    void run(std::string_view text) {
-        forEachObjLine(text, [this](size_t number, std::string_view line) {
+    ObjOutline read(std::string_view text, const OnProgress& onProgress) {
+        const size_t lines = lineCount(text);
+        forEachObjLine(text, [&](size_t number, std::string_view line) {
             number_ = number;
-            check(line);
+            reportStep(onProgress, number, lines);
+            addLine(line);
         });
-        for (int kind = 0; kind < kKindCount; ++kind) {
-            if (largestIndex_[kind] > static_cast<int64_t>(counts_[kind])) {
-                number_ = largestLine_[kind];
-                fail(std::string(kKindNames[kind]) + " " + std::to_string(largestIndex_[kind]) +
-                     " does not exist; the file has " + std::to_string(counts_[kind]));
-            }
-        }
-        outline_.positions = counts_[kPosition];
-        outline_.normals = counts_[kNormal];
-        outline_.uvs = counts_[kTexcoord];
+        for (size_t kind = 0; kind < kObjDataCount; ++kind)
+            if (largestIndex_[kind] > static_cast<int64_t>(outline_.counts[kind]))
+                outline_.hasBadIndices = true;
+        return std::move(outline_);
     }
-
-    bool foundBadNumbers() const { return foundBadNumbers_; }
-    const std::array<size_t, kKindCount>& counts() const { return counts_; }
-    ObjOutline takeOutline() { return std::move(outline_); }
 
 private:
     [[noreturn]] void fail(const std::string& message) const {
         throw SceneError(path_ + ":" + std::to_string(number_), message);
     }
 
-    void check(std::string_view line) {
-        if (line.empty() || line.front() == '#')
+    void addLine(std::string_view line) {
+        if (line.empty())
             return;
+        if (line.front() == '#') {
+            if (line.starts_with("#MRGB")) // colours of vertices, by ZBrush
+                outline_.coloredLines.add(number_);
+            return;
+        }
         TextCursor cursor(line);
         const std::string_view keyword = cursor.word();
         if (keyword == "v") {
-            checkVertex(kPosition, cursor);
+            addVertexData(kObjPosition, cursor);
         } else if (keyword == "vt") {
-            checkVertex(kTexcoord, cursor);
+            addVertexData(kObjTexcoord, cursor);
         } else if (keyword == "vn") {
-            checkVertex(kNormal, cursor);
+            addVertexData(kObjNormal, cursor);
         } else if (keyword == "f") {
-            checkFace(cursor);
+            addFace(cursor);
         } else if (keyword == "usemtl") {
             material_ = trimmed(cursor.rest());
             materialChanged_ = true;
+        } else if (keyword == "s") {
+            smoothingGroup_ = groupOf(cursor.word());
         } else if (keyword == "mtllib") {
             outline_.libraries.emplace_back(trimmed(cursor.rest()));
+        } else if (std::ranges::find(kUnrendered, keyword) != kUnrendered.end()) {
+            addUnrendered(std::string(keyword));
         }
     }
 
-    void checkVertex(Kind kind, TextCursor& cursor) {
-        if (cursor.atEnd())
-            fail(std::string("\"") + kKeywords[kind] + "\" lacks its coordinates");
-        ++counts_[kind];
+    void addVertexData(ObjData kind, TextCursor& cursor) {
+        const size_t index = outline_.counts[kind]++;
+        if (cursor.atEnd()) {
+            outline_.needsRewriting = true;
+            addUnreadable(kind, index,
+                          std::string("\"") + kKeywords[kind] + "\" lacks its numbers");
+            return;
+        }
         int numbers = 0;
-        bool finite = true;
-        bool inRange = true;
-        while (!cursor.atEnd()) {
+        bool isUsable = true;
+        bool isZero = true;
+        for (; !cursor.atEnd(); ++numbers) {
             const std::string_view word = cursor.word();
             const std::optional<double> value = parseNumber(word);
             outline_.needsRewriting =
                 outline_.needsRewriting || !value || !tinyobjReadsNumber(word);
-            if (!value)
-                return complain(kind, [&] { return inQuotes(word) + " is not a number"; });
-            if (numbers < kUsedNumbers[kind]) {
-                finite = finite && std::isfinite(*value);
-                inRange =
-                    inRange && (kind != kTexcoord || ranges::kTextureCoordinate.contains(*value));
-            }
-            ++numbers;
-        }
-        if (numbers < kFewestNumbers[kind]) {
-            return complain(kind, [&] {
-                return std::string("a ") + kKindNames[kind] + " needs " +
-                       std::to_string(kFewestNumbers[kind]) + " numbers, not " +
-                       std::to_string(numbers);
-            });
-        }
-        if (!finite && kind == kNormal) {
-            outline_.nonFiniteNormals.push_back(counts_[kind] - 1);
-        } else if (!finite) {
-            complain(kind,
-                     [&] { return std::string("this ") + kKindNames[kind] + " is not finite"; });
-        } else if (!inRange) {
-            complain(kind, [] {
-                return "a texture coordinate must be " + toText(ranges::kTextureCoordinate);
-            });
-        }
-    }
-
-    /// `describe` makes the message only if needed, because that is slow.
-    template <typename Describe>
-    void complain(Kind kind, Describe&& describe) {
-        foundBadNumbers_ = true;
-        if (relevant_ != nullptr && (*relevant_)[kind][counts_[kind] - 1])
-            fail(describe());
-    }
-
-    void checkFace(TextCursor& cursor) {
-        size_t corners = 0;
-        for (; !cursor.atEnd(); ++corners)
-            checkCorner(cursor.word());
-        if (corners < 3)
-            fail("a face needs at least 3 corners, not " + std::to_string(corners));
-        outline_.needsRewriting = outline_.needsRewriting || !cursor.rest().empty();
-        noteMaterial();
-        ++outline_.polygons;
-        outline_.corners += corners;
-    }
-
-    /// "p", "p/t", "p/t/n" or "p//n"; the fields after the first may be empty.
-    void checkCorner(std::string_view word) {
-        const char* next = word.data();
-        const char* const end = next + word.size();
-        for (int field = 0; field < kKindCount; ++field) {
-            int64_t index = 0;
-            const auto [stop, error] = std::from_chars(next, end, index);
-            if (stop != next)
-                checkIndex(Kind(field), error == std::errc() ? index : INT64_MAX, word);
-            else if (field == 0)
-                break;
-            next = stop;
-            if (next == end) {
-                outline_.needsRewriting = outline_.needsRewriting || word.back() == '/';
+            if (!value) {
+                addUnreadable(kind, index, inQuotes(word) + " is not a number");
                 return;
             }
-            if (*next != '/')
-                break;
-            ++next;
+            if (numbers >= kUsedNumbers[kind])
+                continue;
+            isUsable = isUsable && std::isfinite(*value) &&
+                       (kind != kObjTexcoord || ranges::kTextureCoordinate.contains(*value));
+            isZero = isZero && *value == 0.0;
         }
-        fail("the corner " + inQuotes(word) +
-             " is malformed; it should read like 1, 1/2, 1//3 or 1/2/3");
+        if (numbers < kFewestNumbers[kind]) {
+            addUnreadable(kind, index,
+                          std::string("a ") + kNames[kind] + " needs " +
+                              std::to_string(kFewestNumbers[kind]) + " numbers, not " +
+                              std::to_string(numbers));
+        } else if (!isUsable || (kind == kObjNormal && isZero)) {
+            outline_.isUnusable[kind].resize(index + 1);
+            outline_.isUnusable[kind][index] = true;
+        }
+        if (kind == kObjPosition && numbers >= kNumbersWithColor)
+            outline_.coloredLines.add(number_);
     }
 
-    void checkIndex(Kind kind, int64_t index, std::string_view word) {
-        const auto count = static_cast<int64_t>(counts_[kind]);
-        if (index == 0)
-            fail("the corner " + inQuotes(word) + " has the index 0, but indices count from 1");
-        if (index < -count) {
-            fail("the corner " + inQuotes(word) + " counts back beyond the first " +
-                 kKindNames[kind] + " (there are " + std::to_string(count) + " so far)");
+    void addUnreadable(ObjData kind, size_t index, const std::string& message) {
+        outline_.unreadable[kind].emplace_hint(outline_.unreadable[kind].end(), index,
+                                               ObjOutline::Unreadable{number_, message});
+    }
+
+    void addFace(TextCursor& cursor) {
+        face_.clear();
+        while (!cursor.atEnd()) {
+            const std::string_view word = cursor.word();
+            const auto corner = parseObjCorner(word);
+            if (!corner) {
+                fail("the corner " + inQuotes(word) +
+                     " is malformed; it should read like 1, 1/2, 1//3 or 1/2/3");
+            }
+            face_.push_back(*corner);
+            outline_.needsRewriting = outline_.needsRewriting || word.back() == '/';
         }
-        if (index > largestIndex_[kind]) {
-            largestIndex_[kind] = index;
-            largestLine_[kind] = number_;
+        if (face_.size() < 3) {
+            outline_.smallFaces.add(number_);
+            outline_.needsRewriting = true; // to leave it out
+            return;
         }
-        if (collected_ != nullptr)
-            (*collected_)[kind][static_cast<size_t>(index > 0 ? index - 1 : count + index)] = true;
+        for (const ObjCorner& corner : face_)
+            for (size_t kind = 0; kind < kObjDataCount; ++kind)
+                if (corner[kind])
+                    addIndex(ObjData(kind), *corner[kind]);
+        outline_.needsRewriting = outline_.needsRewriting || !cursor.rest().empty();
+        noteMaterial();
+        noteSmoothing();
+        ++outline_.polygons;
+        outline_.corners += face_.size();
+    }
+
+    void addIndex(ObjData kind, int64_t index) {
+        const auto count = static_cast<int64_t>(outline_.counts[kind]);
+        outline_.hasBadIndices = outline_.hasBadIndices || index == 0 || index < -count;
+        largestIndex_[kind] = std::max(largestIndex_[kind], index);
+        outline_.needsRewriting = outline_.needsRewriting || !tinyobjReadsIndex(index);
     }
 
     void noteMaterial() {
@@ -199,34 +177,44 @@ private:
         outline_.materialRuns.push_back({outline_.polygons, material});
     }
 
-    const std::string& path_;
-    Usage* collected_;
-    const Usage* relevant_;
+    /// The number of the group that `name` names: 0 for "0" and "off", else from 1.
+    uint32_t groupOf(std::string_view name) {
+        if (name.empty() || parseNumber(name) == 0.0 || lowercase(name) == "off")
+            return 0;
+        const auto next = static_cast<uint32_t>(groupIndex_.size() + 1);
+        return groupIndex_.try_emplace(std::string(name), next).first->second;
+    }
 
+    void noteSmoothing() {
+        const auto& runs = outline_.smoothingRuns;
+        if (smoothingGroup_ != (runs.empty() ? 0 : runs.back().group))
+            outline_.smoothingRuns.push_back({outline_.polygons, smoothingGroup_});
+    }
+
+    void addUnrendered(const std::string& keyword) {
+        outline_.unrendered.add(number_);
+        auto& keywords = outline_.unrenderedKeywords;
+        if (std::ranges::find(keywords, keyword) == keywords.end())
+            keywords.push_back(keyword);
+    }
+
+    const std::string& path_;
     ObjOutline outline_;
     size_t number_ = 0; ///< of the line at hand
-    std::array<size_t, kKindCount> counts_{};
-    std::array<int64_t, kKindCount> largestIndex_{};
-    std::array<size_t, kKindCount> largestLine_{};
-    bool foundBadNumbers_ = false;
+    std::vector<ObjCorner> face_;
+    std::array<int64_t, kObjDataCount> largestIndex_{};
     std::string material_;
     bool materialChanged_ = false;
     std::map<std::string, uint32_t> materialIndex_;
+    uint32_t smoothingGroup_ = 0;
+    std::map<std::string, uint32_t> groupIndex_;
 };
 
 } // namespace
 
-ObjOutline checkObj(std::string_view text, const std::string& path) {
-    ObjPass first(path, nullptr, nullptr);
-    first.run(text);
-    if (first.foundBadNumbers()) {
-        Usage used;
-        for (int kind = 0; kind < kKindCount; ++kind)
-            used[kind].resize(first.counts()[kind]);
-        ObjPass(path, &used, nullptr).run(text);
-        ObjPass(path, nullptr, &used).run(text);
-    }
-    return first.takeOutline();
+ObjOutline outlineOfObj(std::string_view text, const std::string& path,
+                        const OnProgress& onProgress) {
+    return OutlineReader(path).read(text, onProgress);
 }
 
 } // namespace calotype

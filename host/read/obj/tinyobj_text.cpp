@@ -3,24 +3,38 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "base/text_cursor.h"
+#include "read/obj/corner.h"
 #include "read/obj/lines.h"
 
 namespace calotype {
 namespace {
 
+/// Empty if there are fewer than three corners. Corners must not be malformed.
 std::string tidyFace(TextCursor cursor) {
-    std::string result = "f ";
-    while (!cursor.atEnd()) {
-        const std::string_view word = cursor.word();
-        result.append(word.substr(0, word.find_last_not_of('/') + 1)).push_back(' ');
+    std::string result = "f";
+    size_t corners = 0;
+    for (; !cursor.atEnd(); ++corners) {
+        const ObjCorner corner = parseObjCorner(cursor.word()).value_or(ObjCorner());
+        result.push_back(' ');
+        size_t slashes = 0;
+        for (size_t kind = 0; kind < kObjDataCount; ++kind) {
+            if (!corner[kind])
+                continue;
+            for (; slashes < kind; ++slashes)
+                result.push_back('/');
+            result.append(std::to_string(tinyobjReadsIndex(*corner[kind]) ? *corner[kind] : 0));
+        }
     }
-    return result;
+    return corners < 3 ? "" : result;
 }
 
 std::string tidyVertex(std::string_view keyword, TextCursor cursor) {
     std::string result(keyword);
+    if (cursor.atEnd())
+        return result + " 0"; // without a number it is not counted
     while (!cursor.atEnd()) {
         const double value = parseNumber(cursor.word()).value_or(0.0);
         std::array<char, 32> digits{}; // the shortest form of a double has at most 24
@@ -43,10 +57,16 @@ bool tinyobjReadsNumber(std::string_view word) {
            (exponent == word.npos || word.size() - exponent - 1 <= kLongestExponent);
 }
 
-std::string textForTinyobj(std::string_view text) {
+bool tinyobjReadsIndex(int64_t index) {
+    return index >= std::numeric_limits<int>::min() && index <= std::numeric_limits<int>::max();
+}
+
+std::string textForTinyobj(std::string_view text, const OnProgress& onProgress) {
     std::string result;
     result.reserve(text.size() + 1);
-    forEachObjLine(text, [&](size_t, std::string_view line) {
+    const size_t lines = lineCount(text);
+    forEachObjLine(text, [&](size_t number, std::string_view line) {
+        reportStep(onProgress, number, lines);
         TextCursor cursor(line);
         const std::string_view keyword = cursor.word();
         if (keyword == "f")

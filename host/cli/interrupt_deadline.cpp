@@ -1,0 +1,63 @@
+#include "cli/interrupt_deadline.h"
+
+#include <algorithm>
+#include <csignal>
+#include <cstddef>
+#include <ctime>
+#include <unistd.h>
+
+#include "cli/exit_code.h"
+
+namespace calotype {
+namespace {
+
+/// Nanoseconds. Steps that look for the signal do so more often, and then clean up.
+constexpr long kPatience = 300'000'000;
+
+// For the handlers, which may use little more.
+volatile std::sig_atomic_t isActive = 0;
+timer_t timer;
+char text[256];
+size_t textSize = 0;
+
+void onTimer(int) {
+    if (!isActive)
+        return;
+    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text, textSize);
+    _exit(kExitOther);
+}
+
+} // namespace
+
+InterruptDeadline::InterruptDeadline(const std::string& message) {
+    const std::string line = "calotype: " + message + "\n";
+    // After a progress bar, in a line of its own.
+    const std::string output = isatty(STDERR_FILENO) != 0 ? "\n" + line : line;
+    textSize = std::min(output.size(), sizeof text);
+    std::copy_n(output.data(), textSize, text);
+    struct sigaction action {};
+    action.sa_handler = onTimer;
+    action.sa_flags = SA_RESTART;
+    sigaction(SIGALRM, &action, nullptr);
+    sigevent event{};
+    event.sigev_notify = SIGEV_SIGNAL;
+    event.sigev_signo = SIGALRM;
+    isActive = timer_create(CLOCK_MONOTONIC, &event, &timer) == 0 ? 1 : 0;
+}
+
+InterruptDeadline::~InterruptDeadline() {
+    if (!isActive)
+        return;
+    isActive = 0;
+    timer_delete(timer);
+}
+
+void startInterruptDeadline() {
+    if (!isActive)
+        return;
+    itimerspec expiry{};
+    expiry.it_value.tv_nsec = kPatience;
+    timer_settime(timer, 0, &expiry, nullptr);
+}
+
+} // namespace calotype
