@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "base/error.h"
-#include "base/find_file.h"
 #include "base/lowercase.h"
 #include "base/text_cursor.h"
 #include "read/obj/lines.h"
@@ -121,8 +120,8 @@ bool isFromBlender(std::string_view text) {
 
 class MtlReader {
 public:
-    MtlReader(const std::string& path, bool isFromBlender)
-        : directory_(std::filesystem::path(path).parent_path()), path_(path),
+    MtlReader(const std::string& path, const FileExists& exists, bool isFromBlender)
+        : directory_(std::filesystem::path(path).parent_path()), path_(path), exists_(exists),
           isFromBlender_(isFromBlender) {}
 
     void readLine(size_t number, std::string_view line) {
@@ -211,7 +210,7 @@ private:
         std::optional<MtlTexture> missing;
         for (const std::string_view reading : readingsOf(text)) {
             const auto texture = parseReading(reading, place);
-            if (texture && findFile(directory_, texture->file))
+            if (texture && exists_(texture->file))
                 return texture;
             if (texture && std::filesystem::path(texture->file).has_extension())
                 missing = texture;
@@ -230,6 +229,7 @@ private:
     MtlFile file_;
     const std::filesystem::path directory_;
     const std::string& path_;
+    const FileExists& exists_;
     const bool isFromBlender_;
     MtlMaterial* current_ = nullptr;
     size_t number_ = 0; ///< of the line at hand
@@ -237,9 +237,9 @@ private:
 
 } // namespace
 
-MtlFile parseMtl(std::string_view text, const std::string& path) {
+MtlFile parseMtl(std::string_view text, const std::string& path, const FileExists& exists) {
     text = withoutByteOrderMark(text);
-    MtlReader reader(path, isFromBlender(text));
+    MtlReader reader(path, exists, isFromBlender(text));
     forEachObjLine(text,
                    [&](size_t number, std::string_view line) { reader.readLine(number, line); });
     return reader.takeFile();

@@ -61,7 +61,10 @@ std::shared_ptr<const MtlFile> readMtl(const std::filesystem::path& path, ReadCo
     context.progress(path, 0.0);
     const std::string text = readFile(path.string(), path.string());
     context.hash.add(text);
-    auto file = std::make_shared<const MtlFile>(parseMtl(text, path.string()));
+    const auto exists = [&](const std::string& name) {
+        return findFile(path.parent_path(), name).has_value();
+    };
+    auto file = std::make_shared<const MtlFile>(parseMtl(text, path.string(), exists));
     for (const auto& [remark, occurrences] : file->remarks)
         context.warn(path.string(), remark + ": " + occurrences.text());
     return file;
