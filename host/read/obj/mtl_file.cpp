@@ -120,9 +120,9 @@ bool isFromBlender(std::string_view text) {
 
 class MtlReader {
 public:
-    MtlReader(const std::string& path, bool isFromBlender, FileFinder& files)
-        : directory_(std::filesystem::path(path).parent_path()), path_(path),
-          isFromBlender_(isFromBlender), files_(files) {}
+    MtlReader(const std::string& path, const FileExists& exists, bool isFromBlender)
+        : directory_(std::filesystem::path(path).parent_path()), path_(path), exists_(exists),
+          isFromBlender_(isFromBlender) {}
 
     void readLine(size_t number, std::string_view line) {
         number_ = number;
@@ -210,7 +210,7 @@ private:
         std::optional<MtlTexture> missing;
         for (const std::string_view reading : readingsOf(text)) {
             const auto texture = parseReading(reading, place);
-            if (texture && files_.find(directory_, texture->file))
+            if (texture && exists_(texture->file))
                 return texture;
             if (texture && std::filesystem::path(texture->file).has_extension())
                 missing = texture;
@@ -229,17 +229,17 @@ private:
     MtlFile file_;
     const std::filesystem::path directory_;
     const std::string& path_;
+    const FileExists& exists_;
     const bool isFromBlender_;
-    FileFinder& files_;
     MtlMaterial* current_ = nullptr;
     size_t number_ = 0; ///< of the line at hand
 };
 
 } // namespace
 
-MtlFile parseMtl(std::string_view text, const std::string& path, FileFinder& files) {
+MtlFile parseMtl(std::string_view text, const std::string& path, const FileExists& exists) {
     text = withoutByteOrderMark(text);
-    MtlReader reader(path, isFromBlender(text), files);
+    MtlReader reader(path, exists, isFromBlender(text));
     forEachObjLine(text,
                    [&](size_t number, std::string_view line) { reader.readLine(number, line); });
     return reader.takeFile();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -8,7 +9,6 @@
 
 #include <glm/vec3.hpp>
 
-#include "base/find_file.h"
 #include "read/obj/mtl_texture.h"
 #include "read/obj/occurrences.h"
 
@@ -54,10 +54,13 @@ struct MtlFile {
     std::map<std::string, Occurrences> remarks;
 };
 
+/// Whether there is a file of this name, relative to the MTL file.
+using FileExists = std::function<bool(const std::string& name)>;
+
 /// Reads the text of the MTL file at `path` (also the name for messages), ignoring the case of
 /// keywords. A colour of one number is grey; numbers after the third are passed over. Statements
-/// that cannot be read are left out, with a remark. `files` tells whether a name with a '#' is that
-/// of a texture.
-MtlFile parseMtl(std::string_view text, const std::string& path, FileFinder& files);
+/// that cannot be read are left out, with a remark. `exists` decides whether a '#' in the name of a
+/// texture starts a comment.
+MtlFile parseMtl(std::string_view text, const std::string& path, const FileExists& exists);
 
 } // namespace calotype

@@ -58,7 +58,10 @@ std::string truePath(const std::filesystem::path& path) {
 std::shared_ptr<const MtlFile> readMtl(const std::filesystem::path& path, ReadContext& context) {
     context.progress(path, 0.0);
     const std::string text = context.read(path.string(), path.string());
-    auto file = std::make_shared<const MtlFile>(parseMtl(text, path.string(), context.finder));
+    const auto exists = [&](const std::string& name) {
+        return context.finder.find(path.parent_path(), name).has_value();
+    };
+    auto file = std::make_shared<const MtlFile>(parseMtl(text, path.string(), exists));
     for (const auto& [remark, occurrences] : file->remarks)
         context.warn(path.string(), remark + ": " + occurrences.text(), remark);
     return file;
