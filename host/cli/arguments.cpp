@@ -32,9 +32,10 @@ void addSceneOptions(CLI::App& command, SceneOptions& scene) {
 void addDeviceOptions(CLI::App& command, DeviceOptions& device, const std::string& others) {
     command
         .add_option("--device", device.device,
-                    "Device by index or part of its name (else CALOTYPE_DEVICE, else the best)" +
+                    "Device by its index, a part of its name or driver, its UUID or PCI address "
+                    "(else CALOTYPE_DEVICE, else the best)" +
                         others)
-        ->type_name("INDEX|NAME")
+        ->type_name("DEVICE")
         ->group("Device");
     command.add_option("--threads", device.threads, "Threads on the CPU (default: all cores)")
         ->check(CLI::Range(1, 1024))

@@ -38,12 +38,18 @@ struct InfoOptions {
     GivenSettings settings;
 };
 
+struct DevicesOptions {
+    DeviceOptions device;
+    bool asJson = false;
+};
+
 /// Picture A against picture B.
 struct CompareOptions {
     std::string a;
     std::string b;
     std::string differenceFile; ///< empty: none
     std::optional<double> maxRelativeMse;
+    bool asJson = false;
 };
 
 /// Films to join.
@@ -53,6 +59,7 @@ struct MergeOptions {
     DisplayTransform display;
     LayerList layers; ///< of the EXR outputs, beside the picture
     StageList stages;
+    bool asJson = false; ///< print what the joined film holds as JSON
 };
 
 struct StudyOptions {

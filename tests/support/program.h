@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct ProgramResult {
 
 struct ProgramOptions {
     std::map<std::string, std::string> environment; ///< in addition to this process's
+    std::optional<std::string> input; ///< of standard input, at most 64 KiB; not for a terminal
     bool onTerminal = false; ///< standard error and output go to a pseudo-terminal, into `errors`
     /// Called about every 20 ms with the process's id and its age until it has ended.
     std::function<void(int pid, double seconds)> whileRunning;
