@@ -20,6 +20,7 @@ struct SceneOptions {
     std::string path;
     std::vector<SceneOverride> overrides;
     MissingTextures missingTextures = MissingTextures::Fail;
+    ViewOptions view;
 };
 
 struct RenderOptions {

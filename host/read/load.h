@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "read/view_options.h"
 #include "scene/scene.h"
 #include "settings/picture_size.h"
 
@@ -25,6 +26,7 @@ struct LoadOptions {
     MissingTextures missingTextures = MissingTextures::Fail;
     std::vector<SceneOverride> overrides;
     std::optional<PictureSize> size; ///< replaces that of the scene's film
+    ViewOptions view;
     /// Called from time to time with a file name such as "chair.obj", and the share done in [0, 1].
     std::function<void(const std::string& what, double done)> onProgress;
 };

@@ -82,6 +82,7 @@ SceneAndNotes readJsonScene(const std::string& path, const LoadOptions& options)
         throw SceneError(name, "is a glTF file, and not a scene (JSON) or a model (OBJ)");
     for (const SceneOverride& override : options.overrides)
         applyOverride(document, override);
+    applyView(document, options.view);
     JsonContext context(options, name);
     nlohmann::json hashed = document;
     if (hashed.is_object())
