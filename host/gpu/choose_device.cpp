@@ -27,11 +27,10 @@ bool isIndexOf(const DeviceInfo& device, const std::string& wish) {
 }
 
 /// nvidia-smi prints "GPU-" before a UUID.
-bool isUuidOf(const DeviceInfo& device, std::string wish) {
+bool isUuidOf(const DeviceInfo& device, const std::string& wish) {
     constexpr size_t kFewestDigits = 8;
-    if (wish.starts_with("gpu-"))
-        wish.erase(0, 4);
-    return wish.size() >= kFewestDigits && device.uuid.starts_with(wish);
+    const std::string digits = wish.starts_with("gpu-") ? wish.substr(4) : wish;
+    return digits.size() >= kFewestDigits && device.uuid.starts_with(digits);
 }
 
 /// Some tools print a domain of eight digits, others none.

@@ -59,7 +59,7 @@ std::string missingRequirement(const vk::raii::PhysicalDevice& device,
 }
 
 /// Bytes in hexadecimal, with dashes in the usual places.
-std::string uuidText(const uint8_t (&bytes)[VK_UUID_SIZE]) {
+std::string uuidText(const vk::ArrayWrapper1D<uint8_t, VK_UUID_SIZE>& bytes) {
     std::string text;
     for (size_t i = 0; i < VK_UUID_SIZE; ++i) {
         char digits[3];
