@@ -8,6 +8,9 @@ namespace calotype {
 /// message names the file and the system's reason.
 std::string readFile(const std::string& path, const std::string& where);
 
+/// The bytes of standard input until its end. Throws SceneError at "standard input".
+std::string readStandardInput();
+
 /// Whether something can be opened for reading at `path`.
 bool isReadableFile(const std::string& path);
 

@@ -19,6 +19,24 @@ void addOverrides(CLI::App& command, std::vector<SceneOverride>& overrides) {
         ->group("Scene");
 }
 
+/// Options that place the camera, of a scene or of a bare model.
+void addViewOptions(CLI::App& command, ViewOptions& view) {
+    const auto add = [&](const std::string& name, std::optional<glm::dvec3>& point,
+                         const std::string& description) {
+        addParsed(
+            command, name, point,
+            [name](const std::string& text) { return parsePoint(name, text); }, description,
+            "X,Y,Z")
+            ->group("Scene");
+    };
+    add("--from", view.from, "Position of the camera, metres (default: the scene's)");
+    add("--look-at", view.lookAt, "Point that the camera looks at, metres (default: the scene's)");
+    add("--up", view.up, "Direction that is up in the picture (default: the scene's)");
+    addParsed(command, "--fov", view.fov, parseFieldOfView,
+              "Vertical field of view (default: the scene's)", "DEGREES")
+        ->group("Scene");
+}
+
 void addSceneOptions(CLI::App& command, SceneOptions& scene) {
     command.add_option("scene", scene.path, "Scene file (JSON), or a model (OBJ) to show")
         ->required()
@@ -28,14 +46,16 @@ void addSceneOptions(CLI::App& command, SceneOptions& scene) {
               "Where an image file is missing or cannot be read: fail, or warn and show magenta",
               "fail|warn")
         ->group("Scene");
+    addViewOptions(command, scene.view);
 }
 
 void addDeviceOptions(CLI::App& command, DeviceOptions& device, const std::string& others) {
     command
         .add_option("--device", device.device,
-                    "Device by index or part of its name (else CALOTYPE_DEVICE, else the best)" +
+                    "Device by its index, a part of its name or driver, its UUID or PCI address "
+                    "(else CALOTYPE_DEVICE, else the best)" +
                         others)
-        ->type_name("INDEX|NAME")
+        ->type_name("DEVICE")
         ->group("Device");
     command.add_option("--threads", device.threads, "Threads on the CPU (default: all cores)")
         ->check(CLI::Range(1, 1024))

@@ -12,11 +12,13 @@
 #include "base/error.h"
 #include "base/output_lock.h"
 #include "cli/arguments.h"
+#include "cli/command_errors.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/markdown_help.h"
 #include "cli/parse_values.h"
 #include "engine/bench.h"
+#include "engine/version.h"
 
 namespace calotype {
 namespace {
@@ -69,6 +71,7 @@ CLI::App& addCompareCommand(CLI::App& app, CompareOptions& options) {
         ->type_name("OUT.png");
     addParsed(command, "--max-relmse", options.maxRelativeMse, parseMaxRelativeMse,
               "Exit with 5 if the relative MSE is larger, or a pixel infinite in A or B only", "X");
+    command.add_flag("--json", options.asJson, "Print JSON (docs/json.md)");
     command.footer(
         "Pictures are compared as linear light: PNGs are decoded from sRGB. Alpha is left out.\n"
         "Relative MSE: the mean over pixels and channels of (A - B)^2 / (B^2 + 0.01).\n"
@@ -113,7 +116,7 @@ CLI::App& addInfoCommand(CLI::App& app, InfoOptions& options) {
     CLI::App& command = *app.add_subcommand(
         "info", "Print what a scene holds and what it takes on the device, or what a film holds");
     addSceneOptions(command, options.scene);
-    command.add_flag("--json", options.asJson, "Of a film: as JSON");
+    command.add_flag("--json", options.asJson, "Print JSON (docs/json.md)");
     addSettings(command, kInfoCommand, options.settings);
     addDeviceOptions(command, options.device);
     command.footer("Example: calotype info scenes/cornell-box.json");
@@ -174,6 +177,16 @@ CLI::App& addBenchCommand(CLI::App& app, BenchOptions& options) {
     return command;
 }
 
+/// Prints what `calotype COMMAND --help` prints; without a command, `calotype --help`.
+int printHelp(const CLI::App& app, const std::string& command) {
+    const auto commands =
+        app.get_subcommands([&](const CLI::App* other) { return other->get_name() == command; });
+    if (!command.empty() && commands.empty())
+        throw UsageError(unknownCommandSentence(app, command));
+    std::fputs(commands.empty() ? app.help().c_str() : commands.front()->help().c_str(), stdout);
+    return std::fflush(stdout) == 0 ? kExitDone : kExitOther;
+}
+
 int parseAndRun(int argc, char** argv) {
     CLI::App app("Calotype: a headless path tracer on Vulkan compute.\n"
                  "Exit codes: 0 done, 1 interrupted or anything else, 2 wrong usage,\n3 bad scene "
@@ -181,7 +194,7 @@ int parseAndRun(int argc, char** argv) {
                  "or films lack samples of --require, 6 an output that cannot be written,\n7 "
                  "another process writes an output.",
                  "calotype");
-    app.set_version_flag("--version", CALOTYPE_VERSION);
+    app.set_version_flag("--version", std::string("calotype ") + versionText());
     bool wantsMarkdown = false;
     app.add_flag("--help-markdown", wantsMarkdown, "Print the help of all commands as Markdown");
     app.require_subcommand(0, 1); // no command is reported below, after unknown words
@@ -191,7 +204,7 @@ int parseAndRun(int argc, char** argv) {
     CompareOptions compareOptions;
     StudyOptions studyOptions;
     BenchOptions benchOptions;
-    DeviceOptions devicesOptions;
+    DevicesOptions devicesOptions;
     CLI::App& render = addRenderCommand(app, renderOptions);
     CLI::App& info = addInfoCommand(app, infoOptions);
     CLI::App& merge = addMergeCommand(app, mergeOptions);
@@ -199,11 +212,16 @@ int parseAndRun(int argc, char** argv) {
     CLI::App& study = addStudyCommand(app, studyOptions);
     CLI::App& bench = addBenchCommand(app, benchOptions);
     CLI::App& devices = *app.add_subcommand("devices", "List devices and say which one is taken");
-    addDeviceOptions(devices, devicesOptions);
+    addDeviceOptions(devices, devicesOptions.device);
+    devices.add_flag("--json", devicesOptions.asJson, "Print JSON (docs/json.md)");
     devices.footer("Example: calotype devices --device 1");
     CLI::App& schema =
         *app.add_subcommand("schema", "Print the JSON Schema of scene files, for editors");
     schema.footer("Example: calotype schema > scene.schema.json");
+    std::string helpCommand;
+    CLI::App& help = *app.add_subcommand("help", "Print the help of a command, or of all");
+    help.add_option("command", helpCommand, "The command")->type_name("COMMAND");
+    help.footer("Example: calotype help render");
     // Commands that are added later would have it, too.
     app.footer("Example: calotype render scenes/cornell-box.json -o box.png");
     try {
@@ -211,15 +229,16 @@ int parseAndRun(int argc, char** argv) {
     } catch (const CLI::Success& success) { // --help, --version
         return app.exit(success);
     } catch (const CLI::ParseError& error) {
-        throw UsageError(std::string(error.what()) + " (see calotype --help)");
+        throw UsageError(sentenceOf(app, error));
     }
     if (wantsMarkdown) {
         std::fputs(markdownHelp(app).c_str(), stdout);
         return std::fflush(stdout) == 0 ? kExitDone : kExitOther;
     }
     if (app.get_subcommands().empty())
-        throw UsageError("a command is required: render, info, merge, compare, study, bench, "
-                         "devices or schema (see calotype --help)");
+        throw UsageError(noCommandSentence());
+    if (help.parsed())
+        return printHelp(app, helpCommand);
     if (render.parsed())
         return renderCommand(renderOptions);
     const int code = info.parsed()      ? infoCommand(infoOptions)

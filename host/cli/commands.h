@@ -12,7 +12,7 @@ int mergeCommand(const MergeOptions& options);
 int compareCommand(const CompareOptions& options);
 int studyCommand(const StudyOptions& options);
 int benchCommand(const BenchOptions& options);
-int devicesCommand(const DeviceOptions& options);
+int devicesCommand(const DevicesOptions& options);
 int schemaCommand(); ///< prints the JSON schema of scene files
 
 } // namespace calotype

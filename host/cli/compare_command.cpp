@@ -1,12 +1,14 @@
 #include "cli/commands.h"
 
 #include <cinttypes>
+#include <cmath>
 #include <cstdio>
 
 #include "base/error.h"
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
 #include "cli/output_claims.h"
+#include "engine/json_document.h"
 #include "image/difference.h"
 #include "image/difference_picture.h"
 #include "image/image_format.h"
@@ -15,6 +17,8 @@
 
 namespace calotype {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 /// Checks before reading everything that could prevent writing the picture.
 OutputClaims checkDifferenceFile(const CompareOptions& options) {
@@ -59,6 +63,47 @@ void printErrors(const ImageDifference& difference) {
                 difference.psnr(), difference.peak);
 }
 
+/// JSON has no infinity: null.
+Json finiteOrNull(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+Json toJson(const std::string& path, const Image& image, uint64_t infinite) {
+    return {{"file", path},
+            {"width", image.width},
+            {"height", image.height},
+            {"infinite_pixels", infinite}};
+}
+
+void printJson(const CompareOptions& options, const Image& a, const Image& b,
+               const ImageDifference& difference) {
+    const glm::dvec3& mean = difference.meanError;
+    const LargestDifference& largest = difference.largest;
+    Json json = newJsonDocument();
+    json["a"] = toJson(options.a, a, difference.infiniteInA);
+    json["b"] = toJson(options.b, b, difference.infiniteInB);
+    json["mean_error"] = {mean.r, mean.g, mean.b};
+    json["rmse"] = difference.rmse;
+    json["relative_mse"] = difference.relativeMse;
+    json["psnr"] = finiteOrNull(difference.psnr());
+    json["peak"] = difference.peak;
+    json["largest"] = {{"difference", largest.magnitude},
+                       {"x", largest.x},
+                       {"y", largest.y},
+                       {"channel", largest.channel}};
+    json["left_out_pixels"] = difference.leftOut;
+    std::printf("%s\n", json.dump(2).c_str());
+}
+
+void print(const CompareOptions& options, const Image& a, const Image& b,
+           const ImageDifference& difference) {
+    printPicture("A", options.a, a, difference.infiniteInA);
+    printPicture("B", options.b, b, difference.infiniteInB);
+    printErrors(difference);
+    printLargest(difference.largest, a, b);
+    if (difference.leftOut > 0)
+        std::printf("left out      %" PRIu64 " of %zu pixels, infinite in A or B\n",
+                    difference.leftOut, a.pixels.size());
+}
+
 /// Whether A is near enough to B; if not, prints the reason on standard error.
 bool isWithin(double maxRelativeMse, const ImageDifference& difference) {
     if (difference.relativeMse > maxRelativeMse)
@@ -88,13 +133,7 @@ int compareCommand(const CompareOptions& options) {
     throwIfInterrupted("interrupted; nothing was compared");
     requireComparable(a, options.a, b, options.b);
     const ImageDifference difference = measureDifference(a, b);
-    printPicture("A", options.a, a, difference.infiniteInA);
-    printPicture("B", options.b, b, difference.infiniteInB);
-    printErrors(difference);
-    printLargest(difference.largest, a, b);
-    if (difference.leftOut > 0)
-        std::printf("left out      %" PRIu64 " of %zu pixels, infinite in A or B\n",
-                    difference.leftOut, a.pixels.size());
+    (options.asJson ? printJson : print)(options, a, b, difference);
     if (isDrawn)
         writePng(options.differenceFile, differencePicture(a, b));
     const bool isNear = !options.maxRelativeMse || isWithin(*options.maxRelativeMse, difference);

@@ -4,15 +4,19 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/hexadecimal.h"
 #include "cli/device_environment.h"
 #include "cli/exit_code.h"
 #include "cli/read_scene.h"
+#include "engine/json_document.h"
 #include "engine/scene_settings.h"
 #include "engine/scene_summary.h"
 #include "film/film_file.h"
 
 namespace calotype {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 double inMebibytes(uint64_t bytes) { return static_cast<double>(bytes) / (1 << 20); }
 
@@ -57,6 +61,44 @@ void printFeatures(const SceneSummary& summary) {
     std::printf("kernel for  %s\n", names.c_str());
 }
 
+/// Null if no shape has an extent.
+Json toJson(const Bounds3d& bounds) {
+    if (bounds.isEmpty())
+        return nullptr;
+    const auto point = [](const glm::dvec3& p) { return Json({p.x, p.y, p.z}); };
+    return {{"lower", point(bounds.lower)}, {"upper", point(bounds.upper)}};
+}
+
+void printJson(const Scene& scene, const SceneSummary& summary, const DeviceFit& fit,
+               const RenderSettings& settings) {
+    Json json = newJsonDocument();
+    json["scene_hash"] = hexadecimal(scene.hash);
+    json["resolution"] = {settings.width, settings.height};
+    json["shapes"] = summary.shapes;
+    json["triangles"] = summary.triangles;
+    json["quadrics"] = summary.quadrics;
+    json["materials"] = summary.materials;
+    json["textures"] = summary.textures;
+    json["lights"] = summary.lights;
+    json["dropped_triangles"] = summary.droppedTriangles;
+    json["bounds"] = toJson(summary.bounds);
+    json["bvh"] = {{"builder", nameOf(summary.builder)},
+                   {"nodes", summary.nodes},
+                   {"children_per_node", summary.childrenPerNode},
+                   {"depth", summary.depth},
+                   {"leaves", summary.leaves},
+                   {"primitives_per_leaf", summary.primitivesPerLeaf},
+                   {"nodes_visited", summary.nodesVisited},
+                   {"primitives_visited", summary.primitivesVisited}};
+    json["features"] = summary.features;
+    json["device"] = fit.device;
+    json["memory_bytes"] = {{"scene", summary.sceneBytes}, {"textures", summary.textureBytes},
+                            {"picture", fit.pictureBytes}, {"largest_buffer", summary.largestBytes},
+                            {"device", fit.memoryBytes},   {"buffer_limit", fit.bufferBytes}};
+    json["warnings"] = scene.warnings;
+    std::printf("%s\n", json.dump(2).c_str());
+}
+
 } // namespace
 
 int infoCommand(const InfoOptions& options) {
@@ -67,8 +109,6 @@ int infoCommand(const InfoOptions& options) {
                              "' is a film");
         return filmInfoCommand(options);
     }
-    if (options.asJson)
-        throw UsageError("--json is for films, and '" + options.scene.path + "' is none");
     const DeviceOptions device = withEnvironment(options.device, false);
     const Scene scene =
         readScene(options.scene, options.settings, device, [](const std::string&, double) {});
@@ -76,6 +116,10 @@ int infoCommand(const InfoOptions& options) {
     RenderSettings settings = defaultSettings(scene);
     options.settings.applyTo(settings);
     const SceneSummary summary = summarize(scene, settings);
+    if (options.asJson) {
+        printJson(scene, summary, fitOf(settings, device), settings);
+        return kExitDone;
+    }
     printCounts(summary);
     printBvh(summary);
     printFeatures(summary);

@@ -21,6 +21,7 @@ struct SceneOptions {
     std::string path;
     std::vector<SceneOverride> overrides;
     MissingTextures missingTextures = MissingTextures::Fail;
+    ViewOptions view;
 };
 
 struct RenderOptions {
@@ -39,12 +40,18 @@ struct InfoOptions {
     GivenSettings settings;
 };
 
+struct DevicesOptions {
+    DeviceOptions device;
+    bool asJson = false;
+};
+
 /// Picture A against picture B.
 struct CompareOptions {
     std::string a;
     std::string b;
     std::string differenceFile; ///< empty: none
     std::optional<double> maxRelativeMse;
+    bool asJson = false;
 };
 
 /// Films to join.
@@ -56,6 +63,7 @@ struct MergeOptions {
     StageList stages;
     std::optional<BlockRange> required; ///< that the films must hold
     bool overwrites = false;            ///< replaces an existing film also by one of fewer samples
+    bool asJson = false;                ///< print what the joined film holds as JSON
 };
 
 struct StudyOptions {

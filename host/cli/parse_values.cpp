@@ -57,6 +57,27 @@ MissingTextures parseMissingTextures(const std::string& text) {
     return text == "warn" ? MissingTextures::Warn : MissingTextures::Fail;
 }
 
+glm::dvec3 parsePoint(const std::string& option, const std::string& text) {
+    glm::dvec3 point(0.0);
+    std::string_view rest = text;
+    for (int axis = 0; axis < 3; ++axis) {
+        const size_t comma = axis < 2 ? rest.find(',') : rest.size();
+        const auto number = parseNumber<double>(rest.substr(0, comma));
+        if (comma == std::string_view::npos || !number || !std::isfinite(*number))
+            fail(option, text, "X,Y,Z in metres, such as 0,1.5,4");
+        point[axis] = *number;
+        rest.remove_prefix(std::min(comma + 1, rest.size()));
+    }
+    return point;
+}
+
+double parseFieldOfView(const std::string& text) {
+    const auto degrees = parseNumber<double>(text);
+    if (!degrees || !(*degrees > 0.0 && *degrees < 180.0))
+        fail("--fov", text, "an angle between 0 and 180 degrees, such as 40");
+    return *degrees;
+}
+
 ToneMap parseToneMap(const std::string& text) {
     const auto toneMap = toneMapFromName(text);
     if (!toneMap)

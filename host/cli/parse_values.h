@@ -13,10 +13,13 @@ namespace calotype {
 PreviewInterval parsePreviewInterval(const std::string& text); ///< --preview-every "16" or "10s"
 SceneOverride parseOverride(const std::string& text);          ///< --set "/pointer=value"
 MissingTextures parseMissingTextures(const std::string& text); ///< --missing-textures
-ToneMap parseToneMap(const std::string& text);                 ///< --tonemap
-float parseExposure(const std::string& text);                  ///< --exposure "-1.5", in stops
-double parseMaxRelativeMse(const std::string& text);           ///< --max-relmse "1e-3"
-BlockRange parseSampleRange(const std::string& text);          ///< --require "0:1024"
+/// --from "1,2,3" and others. Messages name `option`.
+glm::dvec3 parsePoint(const std::string& option, const std::string& text);
+double parseFieldOfView(const std::string& text);     ///< --fov, in degrees
+ToneMap parseToneMap(const std::string& text);        ///< --tonemap
+float parseExposure(const std::string& text);         ///< --exposure "-1.5", in stops
+double parseMaxRelativeMse(const std::string& text);  ///< --max-relmse "1e-3"
+BlockRange parseSampleRange(const std::string& text); ///< --require "0:1024"
 
 LayerList parseLayers(const std::string& text); ///< --aov "albedo,normal,error"
 /// "30s", "1.5m", "2h", or a number of seconds; above 0. Messages name `option`.

@@ -13,6 +13,7 @@ LoadedScene readScene(const SceneOptions& options, const GivenSettings& settings
     LoadOptions load;
     load.overrides = options.overrides;
     load.missingTextures = options.missingTextures;
+    load.view = options.view;
     RenderSettings given;
     settings.applyTo(given);
     if (settings.has("size"))

@@ -38,9 +38,8 @@ std::string judgedText(const ErrorEstimate& error, double target) {
         text += ", or up to " + percentText(error.upperBound()) +
                 " within the uncertainty of the samples";
     if (error.relative <= target)
-        text +=
-            "; it is judged after 128, 256, 512, ... samples per pixel alone, by what it may be "
-            "at most";
+        text += "; it is judged at 128, 144, 160, ... samples per pixel alone, by what it may be "
+                "at most";
     return text;
 }
 

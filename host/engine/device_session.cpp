@@ -24,10 +24,10 @@ std::shared_ptr<const DeviceSession> DeviceKeeper::session() {
 }
 
 void requireMemory(const Device& device, uint64_t bytes) {
-    if (bytes > device.memorySize())
+    if (bytes > device.info().memoryBytes)
         throw GpuError("the scene and picture need about " + std::to_string(bytes >> 20) +
                        " MiB on the device, and '" + device.info().name + "' has " +
-                       std::to_string(device.memorySize() >> 20) + " MiB");
+                       std::to_string(device.info().memoryBytes >> 20) + " MiB");
 }
 
 } // namespace calotype

@@ -1,6 +1,7 @@
 #include "engine/devices.h"
 
 #include "base/lowercase.h"
+#include "gpu/choose_device.h"
 #include "gpu/device_list.h"
 #include "gpu/instance.h"
 

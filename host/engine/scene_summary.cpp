@@ -63,7 +63,7 @@ DeviceFit fitOf(const RenderSettings& settings, const DeviceOptions& options) {
     const DeviceSession session(options);
     const Device& device = session.device();
     const DeviceFit fit{device.info().name, device.choice().reason,
-                        pathTracerBytes(device, settings), device.memorySize(),
+                        pathTracerBytes(device, settings), device.info().memoryBytes,
                         uint64_t{device.limits().maxTexelBufferElements} * 16};
     session.throwOnValidationMessages();
     return fit;

@@ -7,6 +7,7 @@
 
 #include "film/adaptive_film.h"
 #include "film/film.h"
+#include "film/looks.h"
 #include "math/square.h"
 
 namespace calotype {
@@ -29,9 +30,9 @@ double studentInterval(double degrees) {
                      degrees - static_cast<double>(below));
 }
 
-/// The one-sided normal quantile of 1 - 0.05 / 20: the level of 5 % is divided by the 20 doublings
-/// from 128 samples to the largest number of samples.
-constexpr double kSharedQuantile = 2.807;
+/// The one-sided normal quantile of 1 - 0.05 / 153: the level of 5 % is divided by the looks.
+constexpr double kSharedQuantile = 3.4084;
+static_assert(kLooks == 153);
 
 /// From 512 samples on, the doubt is below 1.13 in the project's scenes, where the estimates are
 /// correct to 10 %, and mostly above 9 where glass balls focus the light of a small lamp.

@@ -35,7 +35,7 @@ struct ErrorEstimate {
     bool isTrusted() const;
 
     /// An upper bound of what `relative` would be if v had no noise, wrong with a probability of
-    /// 1/400: 5 % over all the checks at 128, 256, ... samples. Infinite where v is too uncertain.
+    /// 1/3060: 5 % over all looks (film/looks.h). Infinite where v is too uncertain.
     double upperBound() const;
 };
 

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "gpu/choose_device.h"
+#include "gpu/device_list.h"
+
 namespace calotype {
 namespace {
 
@@ -39,14 +42,6 @@ Device::Device(const Instance& instance, std::string_view wish, std::string_view
             {*commandPool_, vk::CommandBufferLevel::ePrimary, 1})[0]);
         fence_ = device_.createFence({});
     });
-}
-
-uint64_t Device::memorySize() const {
-    uint64_t size = 0;
-    for (uint32_t i = 0; i < memory_.memoryHeapCount; ++i)
-        if (memory_.memoryHeaps[i].flags & vk::MemoryHeapFlagBits::eDeviceLocal)
-            size = std::max<uint64_t>(size, memory_.memoryHeaps[i].size);
-    return size;
 }
 
 uint32_t Device::memoryType(uint32_t allowed, vk::MemoryPropertyFlags wanted) const {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "gpu/device_list.h"
+#include "gpu/device_info.h"
 #include "gpu/instance.h"
 #include "gpu/kernel.h"
 #include "gpu/pipeline_cache.h"
@@ -29,9 +29,6 @@ public:
 
     PipelineCache& pipelineCache() const { return *pipelineCache_; }
     KernelStore& kernels() const { return *kernels_; }
-
-    /// Bytes of the largest heap on the device.
-    uint64_t memorySize() const;
 
     /// Index of a memory type among `allowed` (a bit mask) with all of `wanted`. Throws GpuError.
     uint32_t memoryType(uint32_t allowed, vk::MemoryPropertyFlags wanted) const;

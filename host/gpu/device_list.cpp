@@ -1,10 +1,8 @@
 #include "gpu/device_list.h"
 
 #include <algorithm>
-#include <charconv>
-#include <optional>
-
-#include "base/lowercase.h"
+#include <cstdio>
+#include <string_view>
 
 namespace calotype {
 namespace {
@@ -60,34 +58,41 @@ std::string missingRequirement(const vk::raii::PhysicalDevice& device,
     return {};
 }
 
-std::string quoteNames(const std::vector<DeviceInfo>& devices) {
-    std::string names;
-    for (const DeviceInfo& device : devices)
-        names +=
-            (names.empty() ? "" : ", ") + std::to_string(device.index) + " '" + device.name + "'";
-    return names;
+/// Bytes in hexadecimal, with dashes in the usual places.
+std::string uuidText(const vk::ArrayWrapper1D<uint8_t, VK_UUID_SIZE>& bytes) {
+    std::string text;
+    for (size_t i = 0; i < VK_UUID_SIZE; ++i) {
+        char digits[3];
+        std::snprintf(digits, sizeof digits, "%02x", bytes[i]);
+        text += (i == 4 || i == 6 || i == 8 || i == 10 ? "-" : "") + std::string(digits);
+    }
+    return text;
 }
 
-bool fits(const DeviceInfo& device, std::string_view wish) {
-    uint32_t index = 0;
-    const auto [end, error] = std::from_chars(wish.data(), wish.data() + wish.size(), index);
-    if (error == std::errc() && end == wish.data() + wish.size())
-        return device.index == index;
-    return lowercase(device.name).find(lowercase(wish)) != std::string::npos;
+/// Empty if the driver does not tell.
+std::string pciAddress(const vk::raii::PhysicalDevice& device) {
+    const auto extensions = device.enumerateDeviceExtensionProperties();
+    if (std::ranges::none_of(extensions, [](const vk::ExtensionProperties& extension) {
+            return std::string_view(extension.extensionName) == VK_EXT_PCI_BUS_INFO_EXTENSION_NAME;
+        }))
+        return {};
+    const auto bus = device
+                         .getProperties2<vk::PhysicalDeviceProperties2,
+                                         vk::PhysicalDevicePCIBusInfoPropertiesEXT>()
+                         .get<vk::PhysicalDevicePCIBusInfoPropertiesEXT>();
+    char text[40];
+    std::snprintf(text, sizeof text, "%04x:%02x:%02x.%x", bus.pciDomain, bus.pciBus, bus.pciDevice,
+                  bus.pciFunction);
+    return text;
 }
 
-DeviceChoice chooseByWish(const std::vector<DeviceInfo>& devices, std::string_view wish,
-                          std::string_view askedBy) {
-    const std::string asked =
-        std::string(askedBy) + (askedBy.empty() ? "'" : " '") + std::string(wish) + "'";
-    const auto found = std::find_if(devices.begin(), devices.end(),
-                                    [&](const DeviceInfo& device) { return fits(device, wish); });
-    if (found == devices.end())
-        throw GpuError("no device matches " + asked + "; there are: " + quoteNames(devices));
-    if (!found->missing.empty())
-        throw GpuError("the device '" + found->name + "' that " + asked + " names lacks " +
-                       found->missing);
-    return {found->index, "matches " + asked};
+uint64_t deviceMemory(const vk::raii::PhysicalDevice& device) {
+    const vk::PhysicalDeviceMemoryProperties memory = device.getMemoryProperties();
+    uint64_t largest = 0;
+    for (uint32_t i = 0; i < memory.memoryHeapCount; ++i)
+        if (memory.memoryHeaps[i].flags & vk::MemoryHeapFlagBits::eDeviceLocal)
+            largest = std::max<uint64_t>(largest, memory.memoryHeaps[i].size);
+    return largest;
 }
 
 } // namespace
@@ -97,9 +102,9 @@ std::vector<DeviceInfo> listDevices(const Instance& instance) {
         std::vector<DeviceInfo> devices;
         for (const vk::raii::PhysicalDevice& device :
              instance.handle().enumeratePhysicalDevices()) {
-            const auto chain = device.getProperties2<vk::PhysicalDeviceProperties2,
-                                                     vk::PhysicalDeviceDriverProperties,
-                                                     vk::PhysicalDeviceSubgroupProperties>();
+            const auto chain = device.getProperties2<
+                vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties,
+                vk::PhysicalDeviceIDProperties, vk::PhysicalDeviceSubgroupProperties>();
             const auto& properties = chain.get<vk::PhysicalDeviceProperties2>().properties;
             const auto& driver = chain.get<vk::PhysicalDeviceDriverProperties>();
             const auto [type, rank] = typeName(properties.deviceType);
@@ -108,6 +113,11 @@ std::vector<DeviceInfo> listDevices(const Instance& instance) {
             info.name = properties.deviceName.data();
             info.type = type;
             info.driver = std::string(driver.driverName.data()) + " " + driver.driverInfo.data();
+            info.driverId = static_cast<uint32_t>(driver.driverID);
+            info.driverVersion = properties.driverVersion;
+            info.uuid = uuidText(chain.get<vk::PhysicalDeviceIDProperties>().deviceUUID);
+            info.pciAddress = pciAddress(device);
+            info.memoryBytes = deviceMemory(device);
             info.apiVersion = versionText(properties.apiVersion);
             const auto& subgroup = chain.get<vk::PhysicalDeviceSubgroupProperties>();
             info.subgroupSize = subgroup.subgroupSize;
@@ -117,24 +127,6 @@ std::vector<DeviceInfo> listDevices(const Instance& instance) {
         }
         return devices;
     });
-}
-
-DeviceChoice chooseDevice(const std::vector<DeviceInfo>& devices, std::string_view wish,
-                          std::string_view askedBy) {
-    if (devices.empty())
-        throw GpuError("there is no Vulkan device; install a driver (Debian: mesa-vulkan-drivers, "
-                       "which renders on the CPU)");
-    if (!wish.empty())
-        return chooseByWish(devices, wish, askedBy);
-    const DeviceInfo* best = nullptr;
-    for (const DeviceInfo& device : devices)
-        if (device.missing.empty() && (!best || device.rank > best->rank))
-            best = &device;
-    if (!best)
-        throw GpuError("no device can run Calotype: '" + devices.front().name + "' lacks " +
-                       devices.front().missing);
-    return {best->index, devices.size() == 1 ? "the only device"
-                                             : "the first " + best->type + ", the best kind here"};
 }
 
 } // namespace calotype

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "read/view_options.h"
 #include "scene/scene.h"
 #include "settings/picture_size.h"
 
@@ -33,6 +34,7 @@ struct LoadOptions {
     MissingTextures missingTextures = MissingTextures::Fail;
     std::vector<SceneOverride> overrides;
     std::optional<PictureSize> size; ///< replaces that of the scene's film
+    ViewOptions view;
     /// What the device has; called if the images are large, before they are decoded. Empty: no
     /// device is used.
     std::function<DeviceTextureMemory()> deviceTextureMemory;

@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "film/allocate_blocks.h"
+#include "film/looks.h"
 #include "shared/limits.h"
 
 namespace calotype {
@@ -54,9 +55,6 @@ RenderEnding AdaptiveSession::run(const RenderObserver& observer, uint32_t /*pas
         if (surveyed < blocks)
             if (const auto ending = fill(dealOut(blocks, level), observer, goal))
                 return *ending;
-        if (goal.targetError && isLook(uint64_t{kSamplesPerStep} * blocks) &&
-            isReached(goal, error()))
-            return RenderEnding::TargetError;
         if (blocks == last)
             return RenderEnding::AllSamples;
     }
@@ -101,8 +99,17 @@ std::optional<RenderEnding> AdaptiveSession::fill(const Targets& targets,
         if (std::ranges::count(isLeftOut_, 0) > 0)
             if (const auto ending = renderBlock(block, observer, goal))
                 return ending;
+        if (blockHalf_ == kHalves - 1 && isGoodEnough(goal))
+            return RenderEnding::TargetError;
     }
     return std::nullopt;
+}
+
+bool AdaptiveSession::isGoodEnough(const RenderGoal& goal) {
+    if (!goal.targetError || totals_.samplesPerPixel < nextLook_)
+        return false;
+    nextLook_ = lookAfter(totals_.samplesPerPixel);
+    return isReached(goal, error());
 }
 
 std::optional<RenderEnding> AdaptiveSession::renderBlock(uint32_t block,

@@ -7,6 +7,7 @@
 
 #include "film/adaptive_film.h"
 #include "film/develop.h"
+#include "film/looks.h"
 #include "render/block_tracer.h"
 #include "render/error_watch.h"
 #include "render/pass_renderer.h"
@@ -54,12 +55,17 @@ private:
     std::optional<RenderEnding> renderBlock(uint32_t block, const RenderObserver& observer,
                                             const RenderGoal& goal);
 
+    /// Also between rounds: the film is one of equal halves with fewer samples where noise is
+    /// largest.
+    bool isGoodEnough(const RenderGoal& goal);
+
     BlockTracer& tracer_;
     RenderSettings settings_;
     AdaptiveFilm film_;
     RenderTotals totals_;
     PassRenderer passes_;
     ErrorWatch watch_;
+    uint64_t nextLook_ = kFirstLook;
     uint32_t blockHalf_ = 0;         ///< of the block that is rendered
     std::vector<uint8_t> isLeftOut_; ///< pixels that get no samples of it
     bool blockIsInFilm_ = true;      ///< false: the storage image holds samples that the film lacks

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <bit>
 #include <chrono>
 #include <cstdint>
 #include <optional>
@@ -8,7 +7,6 @@
 #include "base/stopwatch.h"
 #include "film/error_estimate.h"
 #include "render/session.h"
-#include "shared/limits.h"
 
 namespace calotype {
 
@@ -38,14 +36,6 @@ private:
     double seconds_ = 0.0;
     std::chrono::steady_clock::time_point last_;
 };
-
-/// The least samples per pixel for an error estimate: one block of every replica.
-inline constexpr uint64_t kFirstLook = uint64_t{shared::kReplicas} * shared::kSamplesPerBlock;
-
-/// Whether the goal is checked at this number of samples per pixel.
-inline bool isLook(uint64_t samplesPerPixel) {
-    return samplesPerPixel >= kFirstLook && std::has_single_bit(samplesPerPixel);
-}
 
 /// Whether the error is small enough and trusted.
 inline bool isReached(const RenderGoal& goal, const std::optional<ErrorEstimate>& error) {

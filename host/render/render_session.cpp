@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/check.h"
+#include "film/looks.h"
 #include "shared/limits.h"
 
 namespace calotype {

@@ -17,8 +17,8 @@ namespace calotype {
 /// What ends a render before it has all its samples.
 struct RenderGoal {
     /// The render ends when ErrorEstimate::upperBound of a trusted estimate is at most this. It is
-    /// checked at 128, 256, 512, ... samples per pixel only, because with many checks one would
-    /// pass by chance.
+    /// checked at the looks of film/looks.h only, among which the chance of a wrong bound is
+    /// divided.
     std::optional<double> targetError;
     std::optional<std::chrono::steady_clock::time_point> deadline;
 };

@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <limits>
 
+#include <nlohmann/json.hpp>
+
 #include "cli/cli_test.h"
 #include "image/exr.h"
 #include "image/pfm.h"
@@ -47,6 +49,20 @@ TEST_F(CompareTest, PrintsEveryFigure) {
                   "PSNR          23.5388 dB, for a peak of 10, the largest value of B\n"
                   "largest       2 in B at (0, 1) from the top left: A (0.5, 0, 8), "
                   "B (0, 0.25, 10)\n");
+}
+
+TEST_F(CompareTest, PrintsJson) {
+    const auto json = nlohmann::json::parse(runProgram({"compare", a_, b_, "--json"}).output);
+    EXPECT_EQ(json["format"], 1);
+    EXPECT_EQ(json["a"]["file"], a_);
+    EXPECT_EQ(json["mean_error"], nlohmann::json({0.125, 0.1875, -0.5}));
+    EXPECT_NEAR(json["rmse"].get<double>(), 0.665363, 1e-6);
+    EXPECT_EQ(json["largest"]["difference"], 2.0);
+    EXPECT_EQ(json["largest"]["y"], 1);
+    EXPECT_EQ(json["largest"]["channel"], 2);
+    const ProgramResult equal = runProgram({"compare", a_, a_, "--json", "--max-relmse", "0"});
+    EXPECT_EQ(equal.exitCode, 0);
+    EXPECT_TRUE(nlohmann::json::parse(equal.output)["psnr"].is_null());
 }
 
 TEST_F(CompareTest, OfEqualPicturesIsInfinitelyNear) {

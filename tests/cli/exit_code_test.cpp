@@ -13,24 +13,32 @@ TEST_F(ExitCodeTest, HelpAndVersion) {
     EXPECT_EQ(help.exitCode, 0);
     EXPECT_NE(help.output.find("render"), std::string::npos);
     EXPECT_NE(runProgram({"render", "--help"}).output.find("--preview-every"), std::string::npos);
-    EXPECT_EQ(runProgram({"--version"}).output, std::string(CALOTYPE_VERSION) + "\n");
+    EXPECT_EQ(runProgram({"help"}).output, help.output);
+    EXPECT_EQ(runProgram({"help", "render"}).output, runProgram({"render", "--help"}).output);
+    const std::string version = runProgram({"--version"}).output;
+    EXPECT_TRUE(version.starts_with("calotype " CALOTYPE_VERSION)) << version;
+    EXPECT_EQ(std::ranges::count(version, '\n'), 1) << version;
 }
 
 TEST_F(ExitCodeTest, WrongUsage) {
     const std::string out = folder_ / "out.png";
     const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
-        {{}, "command is required"},
-        {{"paint"}, "paint"},
-        {{"render"}, "required"},
+        {{}, "a command is required, such as: calotype render"},
+        {{"paint"}, "there is no command \"paint\""},
+        {{"rendr", "q.json"}, "no command \"rendr\"; did you mean \"render\"?"},
+        {{"help", "rendr"}, "did you mean \"render\"?"},
+        {{"render"}, "scene is required (see calotype render --help)"},
         {{"render", scene_}, "-o"},
-        {{"render", scene_, "-o", out, "--ssp", "4"}, "--ssp"},
+        {{"render", scene_, "-o", out, "--ssp", "4"}, "\"--ssp\"; did you mean --spp?"},
+        {{"render", scene_, "-o", out, "--frames", "1:24"}, "animations cannot be rendered yet"},
         {{"render", scene_, "-o", out, "--spp", "4", "--spp", "8"}, "--spp"},
         {{"render", scene_, "-o", out, "--quiet", "--quiet"}, "--quiet"},
         {{"render", scene_, "-o", out, "--size", "4x4", "--size", "8x8"}, "--size"},
         {{"render", scene_, "-o", out, "--spp", "0"}, "--spp"},
         {{"render", scene_, "-o", out, "--spp", "-1"}, "--spp"},
         {{"render", scene_, "-o", out, "--spp", "many"}, "--spp"},
-        {{"render", scene_, "-o", out, "--seed", "-1"}, "--seed"},
+        {{"render", scene_, "-o", out, "--seed", "-1"},
+         "--seed '-1' is not a whole number from 0 to 4294967295"},
         {{"render", scene_, "-o", out, "--size", "64"}, "WIDTHxHEIGHT"},
         {{"render", scene_, "-o", out, "--size", "0x4"}, "WIDTHxHEIGHT"},
         {{"render", scene_, "-o", out, "--size", "64x65536"}, "65535"},
@@ -61,7 +69,7 @@ TEST_F(ExitCodeTest, WrongUsage) {
         {{"render", scene_, "-o", out, "-o", folder_ / "./out.png"}, "twice"},
         {{"render", scene_, "-o", out, "--stats", scene_}, "is read by this command"},
         {{"render", scene_, "-o", out, "--stats", out}, "twice"},
-        {{"render", scene_, scene_, "-o", out}, "scene.json"},
+        {{"render", scene_, scene_, "-o", out}, "takes no further argument"},
         {{"info"}, "required"},
     };
     for (const auto& [arguments, fragment] : cases) {

@@ -157,7 +157,6 @@ TEST_F(FilmTest, MistakesAreNamed) {
     expectFailure(run({"--film", film, "--checkpoint", "soon"}), 2, "30s, 5m or 2h");
     expectFailure(run({"--film", film, "--preview-every", "1"}), 2, "--preview-file");
     expectFailure(run({"--film", folder_ / "no/such/x.film"}), 6, "folder");
-    expectFailure(runProgram({"info", scene_, "--json"}), 2, "--json is for films");
     expectFailure(runProgram({"merge", film}), 2, "--output");
     EXPECT_EQ(folder_.names(), std::vector<std::string>{"scene.json"});
 }

@@ -1,12 +1,15 @@
 // `calotype info` and `calotype devices`.
 #include <algorithm>
 
+#include <nlohmann/json.hpp>
+
 #include "cli/cli_test.h"
 
 namespace calotype::test {
 namespace {
 
 using InfoTest = CliTest;
+using Json = nlohmann::json;
 
 TEST_F(InfoTest, InfoShowsCountsMemoryAndFeatures) {
     const ProgramResult result = runProgram({"info", scene_});
@@ -32,6 +35,37 @@ TEST_F(InfoTest, DevicesSayWhichIsTakenAndWhy) {
     ProgramOptions wish;
     wish.environment["CALOTYPE_DEVICE"] = "0";
     EXPECT_NE(runProgram({"devices"}, wish).output.find("CALOTYPE_DEVICE"), std::string::npos);
+}
+
+TEST_F(InfoTest, PrintsJson) {
+    const Json info = Json::parse(runProgram({"info", scene_, "--json"}).output);
+    EXPECT_EQ(info["format"], 1);
+    EXPECT_EQ(info["version"], CALOTYPE_VERSION);
+    EXPECT_EQ(info["triangles"], 2);
+    EXPECT_EQ(info["quadrics"], 2);
+    EXPECT_EQ(info["bounds"]["lower"], Json({-3, 0, -3}));
+    EXPECT_GT(info["memory_bytes"]["picture"], 0);
+    const Json devices = Json::parse(runProgram({"devices", "--json"}).output);
+    EXPECT_EQ(devices["format"], 1);
+    const Json& first = devices["devices"][0];
+    EXPECT_EQ(first["index"], 0);
+    EXPECT_EQ(first["uuid"].get<std::string>().size(), 36u);
+    const std::string chosen = devices["devices"][devices["chosen"].get<size_t>()]["uuid"];
+    const ProgramResult byUuid = runProgram({"devices", "--device", chosen});
+    EXPECT_NE(byUuid.output.find("matches --device '" + chosen), std::string::npos);
+}
+
+// A scene may come through a pipe; its files are then relative to the working folder.
+TEST_F(InfoTest, ReadsASceneFromStandardInput) {
+    ProgramOptions options;
+    options.input = R"({ "camera": {}, "shapes": [{ "type": "sphere", "radius": 1 }] })";
+    const ProgramResult result = runProgram({"info", "-"}, options);
+    EXPECT_EQ(result.exitCode, 0) << result.errors;
+    EXPECT_NE(result.output.find("shapes      1"), std::string::npos) << result.output;
+    options.input = "{ \"camera\": {}, }";
+    expectFailure(runProgram({"info", "-"}, options), 3, "standard input:1:15: there is a comma");
+    options.input = "";
+    expectFailure(runProgram({"info", "-"}, options), 3, "standard input:1:1: the file is empty");
 }
 
 } // namespace

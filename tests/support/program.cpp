@@ -46,6 +46,16 @@ bool drain(int fd, std::string& text) {
     return n > 0;
 }
 
+/// The end to read from of a pipe that holds all of the text.
+int inputPipe(const std::string& text) {
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0 ||
+        write(ends[1], text.data(), text.size()) != static_cast<ssize_t>(text.size()))
+        throw std::runtime_error("cannot fill a pipe");
+    close(ends[1]);
+    return ends[0];
+}
+
 struct Child {
     int pid = -1;
     int outputFd = -1;
@@ -65,12 +75,17 @@ Child start(const std::vector<std::string>& arguments, const ProgramOptions& opt
     int err[2];
     if (pipe2(out, O_CLOEXEC) != 0 || pipe2(err, O_CLOEXEC) != 0)
         throw std::runtime_error("pipe2 failed");
+    const int input = options.input ? inputPipe(*options.input) : -1;
     child.pid = fork();
     if (child.pid == 0) {
+        if (input >= 0)
+            dup2(input, STDIN_FILENO);
         dup2(out[1], STDOUT_FILENO);
         dup2(err[1], STDERR_FILENO);
         executeChild(arguments, options);
     }
+    if (input >= 0)
+        close(input);
     close(out[1]);
     close(err[1]);
     child.outputFd = out[0];

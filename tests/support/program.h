@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct ProgramResult {
 
 struct ProgramOptions {
     std::map<std::string, std::string> environment; ///< in addition to this process's
+    std::optional<std::string> input; ///< of standard input, at most 64 KiB; not for a terminal
     bool onTerminal = false; ///< standard error and output go to a pseudo-terminal, into `errors`
     uint16_t columns = 0;    ///< of the pseudo-terminal; 0: it does not say
     std::vector<int> ignoredSignals = {}; ///< at the program's start, as by nohup

@@ -122,6 +122,72 @@ TEST_F(ModelSceneTest, IsLitAlikeWhateverItsSize) {
     EXPECT_NEAR(light[2] / light[1], 1.0, 1e-9);
 }
 
+/// Adds a square floor of two triangles in y = 0, `half` to each side; its corners are shared or
+/// not.
+std::string withFloor(const std::string& obj, double half, bool sharesCorners) {
+    const std::string h = std::to_string(half);
+    std::string text = obj + "v -" + h + " 0 " + h + "\nv " + h + " 0 " + h + "\nv " + h + " 0 -" +
+                       h + "\nv -" + h + " 0 -" + h + "\n";
+    if (sharesCorners)
+        return text + "f -4 -3 -2 -1\n";
+    return text + "f -4 -3 -2\nv -" + h + " 0 " + h + "\nv " + h + " 0 -" + h + "\nv -" + h +
+           " 0 -" + h + "\nf -3 -2 -1\n";
+}
+
+// The camera is that of the model without the floor, and the warning says so.
+TEST_F(ModelSceneTest, ShowsWhatStandsOnAFloorManyTimesLarger) {
+    const std::string box = boxObj({-1, 0.01, -1}, {1, 2, 1});
+    const Camera alone = load(box).camera;
+    for (const bool sharesCorners : {true, false}) {
+        const Scene scene = load(withFloor(box, 200.0, sharesCorners));
+        EXPECT_NEAR(glm::length(scene.camera.position - alone.position), 0.0, 1e-9);
+        ASSERT_EQ(scene.warnings.size(), 1u);
+        EXPECT_NE(scene.warnings[0].find("times larger"), std::string::npos);
+        EXPECT_NE(scene.warnings[0].find("--from"), std::string::npos);
+    }
+    // Not so much larger: the floor is part of the model.
+    const Scene terrace = load(withFloor(box, 5.0, true));
+    EXPECT_TRUE(terrace.warnings.empty());
+    EXPECT_NEAR(reach(terrace), 0.9, 1e-6);
+    // A large body with a crumb beside it, which holds fewer triangles than the body.
+    const Scene crumb = load(box + "v 1.2 0 0\nv 1.3 0 0\nv 1.3 0.1 0\nf -3 -2 -1\n");
+    EXPECT_TRUE(crumb.warnings.empty());
+    EXPECT_NEAR(reach(crumb), 0.9, 1e-6);
+}
+
+TEST_F(ModelSceneTest, IsSeenAsTheOptionsSay) {
+    const std::string path = files_.write("m.obj", boxObj({-1, 0, -1}, {1, 2, 1}));
+    const Scene usual = loadScene(path);
+    LoadOptions options;
+    options.view.from = glm::dvec3(3, 1, 0);
+    const Scene from = loadScene(path, options);
+    EXPECT_NEAR(glm::length(from.camera.position - glm::dvec3(3, 1, 0)), 0.0, 1e-12);
+    EXPECT_NEAR(glm::length(from.camera.forward - glm::dvec3(-1, 0, 0)), 0.0, 1e-12);
+    EXPECT_NE(from.hash, usual.hash);
+    options.view.lookAt = glm::dvec3(3, 1, -5);
+    options.view.up = glm::dvec3(2, 0, 0);
+    options.view.fov = 60.0;
+    const Camera camera = loadScene(path, options).camera;
+    EXPECT_NEAR(glm::length(camera.forward - glm::dvec3(0, 0, -1)), 0.0, 1e-12);
+    EXPECT_NEAR(glm::length(camera.up - glm::dvec3(1, 0, 0)), 0.0, 1e-12);
+    EXPECT_NEAR(camera.verticalFov, 3.14159265358979 / 3.0, 1e-12);
+    EXPECT_NEAR(camera.focusDistance, 5.0, 1e-12);
+    options.view = {};
+    options.view.lookAt = glm::dvec3(0, 2, 0);
+    const Camera moved = loadScene(path, options).camera;
+    EXPECT_NEAR(glm::length(moved.position - usual.camera.position - glm::dvec3(0, 1, 0)), 0.0,
+                0.2); // framing moves a camera a little
+    EXPECT_NEAR(glm::length(glm::cross(moved.forward, glm::dvec3(0, 2, 0) - moved.position)), 0.0,
+                1e-9);
+    options.view.from = options.view.lookAt;
+    EXPECT_NE(std::string(errorOf([&] { loadScene(path, options); }).what()).find("looks nowhere"),
+              std::string::npos);
+    options.view.lookAt.reset();
+    options.view.from = glm::dvec3(0, 9, 0);
+    EXPECT_NE(std::string(errorOf([&] { loadScene(path, options); }).what()).find("is parallel"),
+              std::string::npos);
+}
+
 TEST_F(ModelSceneTest, UndefinedMaterialsAreGreyWithAWarning) {
     const std::string start = "mtllib none.mtl other.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n";
     files_.write("other.mtl", "newmtl b\nKd 0.25\n");

@@ -191,6 +191,8 @@ TEST(AdaptiveSessionTest, EndsByItsGoals) {
     EXPECT_EQ(aimed.run({}, 0, goal), RenderEnding::TargetError);
     EXPECT_LE(aimed.error()->upperBound(), 0.06);
     EXPECT_GT(aimed.totals().samplesPerPixel, 128u);
+    // The bound falls at least as slowly as 1 / sqrt(samples), up to its own noise.
+    EXPECT_GT(aimed.error()->upperBound(), 0.06 / std::sqrt(1.3));
     AdaptiveSession late(tracer, settingsOf(1u << 20), 64.0);
     RenderGoal deadline;
     deadline.deadline = std::chrono::steady_clock::now();

@@ -35,6 +35,27 @@ TEST(SceneOverrideTest, ReplacesAndAdds) {
               glm::dvec3(1.0));
 }
 
+// --from, --look-at, --up and --fov are the camera's keys.
+TEST(SceneOverrideTest, ChangesTheView) {
+    const SceneFiles files;
+    nlohmann::json scene = sceneWithShape(R"({"type": "sphere", "radius": 1, "material": "wall"})");
+    scene["camera"] = {{"position", {0, 0, 5}}, {"target", {0, 0, 0}}, {"fov", 30}};
+    LoadOptions options;
+    options.view.lookAt = glm::dvec3(5, 0, 5);
+    options.view.fov = 90.0;
+    const Camera camera = files.load(scene, options).camera;
+    EXPECT_EQ(camera.position, glm::dvec3(0, 0, 5));
+    EXPECT_NEAR(glm::length(camera.forward - glm::dvec3(1, 0, 0)), 0.0, 1e-12);
+    EXPECT_NEAR(camera.verticalFov, 0.5 * 3.14159265358979, 1e-12);
+    EXPECT_NE(files.load(scene, options).hash, files.load(scene).hash);
+    // A matrix is replaced by a position and a target together.
+    scene["camera"] = {{"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}};
+    EXPECT_EQ(errorOf([&] { files.load(scene, options); }).where(), "--look-at");
+    options.view.from = glm::dvec3(5, 0, 7);
+    EXPECT_NEAR(glm::length(files.load(scene, options).camera.forward - glm::dvec3(0, 0, -1)), 0.0,
+                1e-12);
+}
+
 TEST(SceneOverrideTest, AppliesInOrder) {
     const SceneFiles files;
     LoadOptions options;

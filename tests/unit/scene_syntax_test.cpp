@@ -27,11 +27,51 @@ TEST(SceneSyntaxTest, AcceptsCommentsOfBothKinds) {
 TEST(SceneSyntaxTest, NamesLineAndColumn) {
     const std::string words = "syntax error";
     expectError(errorOfText("{\n  \"camera\": {},\n  \"film\" {}\n}"), "scene.json:3:10", words);
-    expectError(errorOfText("{\"camera\": {},}"), "scene.json:1:15", words);
     expectError(errorOfText(" "), "scene.json:1:2", words);
     expectError(errorOfText("{\"camera\": {}"), "scene.json:1:14", words);
     expectError(errorOfText("{} {}"), "scene.json:1:4", words);
     expectError(errorOfText("{\"camera\": {} /* open"), "scene.json:1:22", words);
+}
+
+TEST(SceneSyntaxTest, SaysThatACommaIsTooMany) {
+    const std::string words = "there is a comma after the last value; remove it";
+    expectError(errorOfText("{\"camera\": {},}"), "scene.json:1:14", words);
+    expectError(errorOfText("{\"camera\": {\"up\": [0, 1, 0,\n ]}}"), "scene.json:1:29", words);
+    expectError(errorOfText("{\"camera\": {}, // \"}\n/* , */ }"), "scene.json:1:14", words);
+    expectError(errorOfText("{\"a\": \",\"]"), "scene.json:1:10", "syntax error");
+    expectError(errorOfText("{\"a\": 1 /*,*/ ]"), "scene.json:1:16", "syntax error");
+}
+
+TEST(SceneSyntaxTest, SaysWhatAFileIsInstead) {
+    const std::vector<std::pair<std::string, std::string>> files = {
+        {"ply\nformat ascii 1.0\n", "is a PLY mesh"},
+        {"solid teapot\n", "is an STL mesh"},
+        {std::string("glTF\2\0\0\0", 8), "is a binary glTF file (GLB)"},
+        {"{\"asset\": {\"version\": \"2.0\"}, \"nodes\": []}", "is a glTF file"},
+        {"\x89PNG\r\n", "is a PNG picture"},
+        {"RIFF\x10\x10\x10\x10WEBP", "is a WebP picture"},
+        {"# A text", "is neither a scene (JSON), which starts with {, nor"},
+        {"WorldBegin", "is neither a scene"},
+    };
+    for (const auto& [text, words] : files)
+        expectError(errorOfText(text), "scene.json", words);
+}
+
+// In every object, whatever its kind.
+TEST(SceneSyntaxTest, AllowsADescriptionEverywhere) {
+    const SceneFiles files;
+    const Scene scene = files.loadText(R"({
+        "description": "a test",
+        "camera": { "description": "the view" },
+        "film": { "description": "small", "width": 8 },
+        "materials": { "red": { "description": "paint", "type": "diffuse", "color": 0.5 } },
+        "shapes": [{ "description": "ball", "type": "sphere", "radius": 1, "material": "red",
+                     "transform": { "description": "moved", "translate": [1, 0, 0] } }]
+    })");
+    EXPECT_EQ(scene.film.width, 8u);
+    EXPECT_TRUE(scene.warnings.size() <= 1u); // that nothing emits light
+    expectError(errorOfText(R"({"camera": {"description": 3}})"), "scene.json: /camera/description",
+                "must be");
 }
 
 TEST(SceneSyntaxTest, SaysThatAFileIsEmpty) {

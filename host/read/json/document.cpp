@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "base/file_kind.h"
 #include "base/names.h"
 
 namespace calotype {
@@ -43,6 +44,30 @@ std::string syntaxMessage(std::string message) {
             message.replace(textStart, textEnd - textStart - kLongestLastRead, "...");
     }
     return message;
+}
+
+/// Whether a JSON value or a comment may start with this character.
+bool startsJson(char c) {
+    return std::string_view("{[\"/-0123456789tfn").find(c) != std::string_view::npos;
+}
+
+/// Offset of the last byte before `end` that is not blank and not part of a comment; npos if there
+/// is none. Strings count as one byte: their closing quote.
+size_t lastSignificant(std::string_view text, size_t end) {
+    size_t last = std::string_view::npos;
+    for (size_t i = 0; i < end; ++i)
+        if (text.substr(i).starts_with("//"))
+            i = std::min(text.find('\n', i), end);
+        else if (text.substr(i).starts_with("/*"))
+            i = std::min(text.find("*/", i + 2), end - 1) + 1;
+        else if (text[i] == '"') {
+            for (++i; i < end && text[i] != '"'; ++i)
+                if (text[i] == '\\')
+                    ++i;
+            last = i;
+        } else if (std::string_view(" \t\r\n").find(text[i]) == std::string_view::npos)
+            last = i;
+    return last;
 }
 
 /// Builds the document from the parser's events; rejects what nlohmann's own builder accepts.
@@ -83,6 +108,12 @@ public:
                                  " is larger than any that can be held");
         }
         const size_t offset = std::min(position > 0 ? position - 1 : 0, text_.size());
+        if (offset < text_.size() && (text_[offset] == '}' || text_[offset] == ']')) {
+            const size_t last = lastSignificant(text_, offset);
+            if (last != std::string_view::npos && text_[last] == ',')
+                throw SceneError(name_ + ":" + lineAndColumn(text_, last),
+                                 "there is a comma after the last value; remove it");
+        }
         throw SceneError(name_ + ":" + lineAndColumn(text_, offset), syntaxMessage(error.what()));
     }
 
@@ -160,6 +191,12 @@ private:
 json parseJson(std::string_view text, const std::string& name) {
     if (text.empty())
         throw SceneError(name + ":1:1", "the file is empty; a JSON object is expected");
+    if (const std::string_view kind = fileKind(text); !kind.empty())
+        throw SceneError(name,
+                         "is " + std::string(kind) + ", and not a scene (JSON) or a model (OBJ)");
+    const size_t start = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF"); // a byte order mark
+    if (start != std::string_view::npos && !startsJson(text[start]))
+        throw SceneError(name, "is neither a scene (JSON), which starts with {, nor a model (OBJ)");
     DocumentBuilder builder(text, name);
     const bool strict = true;
     const bool ignoreComments = true;

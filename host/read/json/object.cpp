@@ -11,6 +11,12 @@
 namespace calotype {
 namespace {
 
+/// The key that every object may have.
+const JsonKey& descriptionKey() {
+    static const JsonKey key("description", textType(), "Any text; it has no effect.");
+    return key;
+}
+
 /// The names of the keys that the schema has.
 std::vector<std::string> namesOf(const std::vector<JsonKey>& keys) {
     std::vector<std::string> names;
@@ -92,6 +98,7 @@ SchemaJson JsonObjectType::schema(SchemaJson& definitions) const {
         if (key.isRequired)
             required.push_back(key.name);
     }
+    properties[descriptionKey().name] = schemaOf(descriptionKey(), definitions);
     SchemaJson schema = SchemaJson::object();
     if (!description.empty())
         schema["description"] = description;
@@ -142,7 +149,9 @@ JsonObject::JsonObject(const JsonValue& value, const JsonObjectType& type)
     if (!value_.json().is_object())
         value_.failType("an object");
     for (const auto& [key, unused] : value_.json().items()) {
-        if (std::ranges::find(type.keys, key, &JsonKey::name) == type.keys.end()) {
+        if (key == descriptionKey().name) {
+            descriptionKey().type.check(value_.child(key));
+        } else if (std::ranges::find(type.keys, key, &JsonKey::name) == type.keys.end()) {
             value_.child(key).fail("unknown key " + inQuotes(key) +
                                    suggestion(key, namesOf(type.keys)));
         }

@@ -89,4 +89,30 @@ void applyOverride(json& document, const SceneOverride& override) {
     }
 }
 
+void applyView(json& document, const ViewOptions& view) {
+    if (view.isEmpty() || !document.is_object())
+        return;
+    json& camera = document["camera"];
+    if (!camera.is_object())
+        camera = json::object();
+    if ((view.from || view.lookAt || view.up) && camera.contains("matrix")) {
+        if (!view.from || !view.lookAt)
+            throw SceneError(view.from     ? "--from"
+                             : view.lookAt ? "--look-at"
+                                           : "--up",
+                             "the scene's camera is placed by a matrix; give both --from and "
+                             "--look-at to place it anew");
+        camera.erase("matrix");
+    }
+    const auto set = [&](const char* key, const std::optional<glm::dvec3>& value) {
+        if (value)
+            camera[key] = {value->x, value->y, value->z};
+    };
+    set("position", view.from);
+    set("target", view.lookAt);
+    set("up", view.up);
+    if (view.fov)
+        camera["fov"] = *view.fov;
+}
+
 } // namespace calotype

@@ -10,4 +10,8 @@ namespace calotype {
 /// SceneError at "--set POINTER" if the pointer is malformed or its parent does not exist.
 void applyOverride(nlohmann::json& document, const SceneOverride& override);
 
+/// Sets the keys of the document's "camera" that the options name. Throws SceneError if the camera
+/// is placed by a matrix, which only a position and a target together can replace.
+void applyView(nlohmann::json& document, const ViewOptions& view);
+
 } // namespace calotype

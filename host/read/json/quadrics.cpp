@@ -76,7 +76,8 @@ std::vector<JsonKey> coneKeys() {
                 .in("metres")
                 .required(),
             JsonKey("slope", numberType(ranges::kPositive),
-                    "The radius over the distance from the apex along the axis.")
+                    "The radius over the distance from the apex along the axis: the base has the "
+                    "radius slope * |height|. docs/scenes.md has a drawing.")
                 .required(),
             axisKey()};
 }

@@ -43,7 +43,8 @@ const JsonObjectType& sceneObject() {
         {},
         "Right-handed, +Y up, metres, degrees. Colours are linear Rec. 709. File paths are "
         "relative "
-        "to the scene file. Comments // and /* */ are accepted."};
+        "to the scene file. Comments // and /* */ are accepted, and \"description\" in every "
+        "object."};
     return type;
 }
 
@@ -75,16 +76,23 @@ void readScene(const JsonObject& root, JsonContext& context) {
 } // namespace
 
 SceneAndNotes readJsonScene(const std::string& path, const LoadOptions& options) {
-    nlohmann::json document = parseJson(readFile(path, path), path);
+    const bool isStandardInput = path == "-";
+    const std::string name = isStandardInput ? "standard input" : path;
+    nlohmann::json document =
+        parseJson(isStandardInput ? readStandardInput() : readFile(path, path), name);
+    if (document.is_object() && document.contains("asset"))
+        throw SceneError(name, "is a glTF file, and not a scene (JSON) or a model (OBJ)");
     for (const SceneOverride& override : options.overrides)
         applyOverride(document, override);
-    JsonContext context(options, path);
-    context.files.push_back(path);
+    applyView(document, options.view);
+    JsonContext context(options, name);
+    if (!isStandardInput)
+        context.files.push_back(path);
     nlohmann::json hashed = document;
     if (hashed.is_object())
         hashed.erase("render"); // its settings are compared one by one when films are joined
     context.hash.add(hashed.dump());
-    readScene(JsonObject(JsonValue(document, path), sceneObject()), context);
+    readScene(JsonObject(JsonValue(document, name), sceneObject()), context);
     return std::move(context).finish();
 }
 

@@ -1,19 +1,24 @@
 #include "read/obj/model_scene.h"
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <memory>
 #include <numbers>
+#include <span>
+#include <vector>
 
 #include <glm/geometric.hpp>
 
 #include "base/error.h"
 #include "base/names.h"
+#include "base/number_text.h"
 #include "check/excess_energy.h"
 #include "check/radiance_range.h"
 #include "math/bounds.h"
 #include "math/rotation.h"
 #include "read/frame_camera.h"
+#include "read/framed_points.h"
 #include "read/obj/obj_materials.h"
 #include "read/obj/obj_mesh.h"
 #include "read/read_context.h"
@@ -27,6 +32,8 @@ constexpr double kFieldOfView = 30.0 * kDegrees;
 constexpr double kCameraAzimuth = 35.0 * kDegrees;
 constexpr double kCameraElevation = 20.0 * kDegrees;
 constexpr double kShareOfPicture = 0.9;
+/// Below this sine of the angle between them, `up` and the view count as parallel.
+constexpr double kParallelSine = 1e-6;
 
 constexpr double kFloorReflectance = 0.5;
 constexpr double kBackground = 0.3;
@@ -69,10 +76,10 @@ struct ModelExtent {
     double floor; ///< y of its lower side
 };
 
-ModelExtent extentOf(const Mesh& mesh, const std::string& path) {
+ModelExtent extentOf(const std::vector<glm::dvec3>& points, const std::string& path) {
     Bounds3d bounds;
-    for (const glm::dvec3& position : mesh.positions)
-        bounds.extend(position);
+    for (const glm::dvec3& point : points)
+        bounds.extend(point);
     const ModelExtent extent = {0.5 * bounds.lower + 0.5 * bounds.upper,
                                 0.5 * glm::length(bounds.extent()), bounds.lower.y};
     if (!(extent.radius >= kSmallestRadius && extent.radius <= kLargestRadius)) {
@@ -80,6 +87,24 @@ ModelExtent extentOf(const Mesh& mesh, const std::string& path) {
                                "scene file with a \"transform\"");
     }
     return extent;
+}
+
+/// Films of different views do not belong together. Without options the hash is that of the files.
+void addToHash(const ViewOptions& view, ContentHash& hash) {
+    const auto add = [&](const char* name, std::span<const double> numbers) {
+        hash.add(name);
+        for (const double number : numbers)
+            hash.add(shortNumber(number));
+    };
+    const auto addPoint = [&](const char* name, const std::optional<glm::dvec3>& point) {
+        if (point)
+            add(name, std::array{point->x, point->y, point->z});
+    };
+    addPoint("from", view.from);
+    addPoint("look-at", view.lookAt);
+    addPoint("up", view.up);
+    if (view.fov)
+        add("fov", std::array{*view.fov});
 }
 
 Shape readModel(const std::string& path, ReadContext& context) {
@@ -94,14 +119,47 @@ Shape readModel(const std::string& path, ReadContext& context) {
     return {.geometry = buildObjMesh(*obj, input, context), .place = path, .file = path};
 }
 
-Camera placeCamera(const Mesh& mesh, const ModelExtent& extent) {
-    Camera camera;
-    camera.verticalFov = kFieldOfView;
-    camera.forward = -directionAt(kCameraAzimuth, kCameraElevation);
-    camera.right = glm::normalize(glm::cross(camera.forward, glm::dvec3(0.0, 1.0, 0.0)));
+/// Turns the camera to look along `view`. Throws SceneError if that is nowhere, or along `up`.
+void turnCamera(Camera& camera, const glm::dvec3& view, const glm::dvec3& up) {
+    if (glm::length(view) == 0.0)
+        throw SceneError("--look-at", "is the camera's position too, so that it looks nowhere");
+    camera.forward = glm::normalize(view);
+    const glm::dvec3 right = glm::cross(camera.forward, glm::normalize(up));
+    if (!(glm::length(right) > kParallelSine))
+        throw SceneError("--up", "is parallel to the direction of view; choose another");
+    camera.right = glm::normalize(right);
     camera.up = glm::cross(camera.right, camera.forward);
-    frameCamera(camera, mesh.positions, kShareOfPicture, extent.radius, extent.center);
+}
+
+/// Shows all points, or what the options say.
+Camera placeCamera(const std::vector<glm::dvec3>& points, const ModelExtent& extent,
+                   const ViewOptions& view) {
+    Camera camera;
+    camera.verticalFov = view.fov ? *view.fov * kDegrees : kFieldOfView;
+    const glm::dvec3 up = view.up.value_or(glm::dvec3(0.0, 1.0, 0.0));
+    const glm::dvec3 target = view.lookAt.value_or(extent.center);
+    if (view.from) {
+        camera.position = *view.from;
+        camera.focusDistance = glm::length(target - *view.from);
+        turnCamera(camera, target - *view.from, up);
+        return camera;
+    }
+    turnCamera(camera, -directionAt(kCameraAzimuth, kCameraElevation), up);
+    frameCamera(camera, points, kShareOfPicture, extent.radius, extent.center);
+    if (view.lookAt)
+        camera.position = target - camera.focusDistance * camera.forward;
     return camera;
+}
+
+/// What is left out of the picture is said.
+std::vector<glm::dvec3> pointsToShow(const Mesh& mesh, const std::string& path,
+                                     ReadContext& context) {
+    FramedPoints framed = framedPoints(mesh);
+    if (framed.scaleOfTheRest > 1.0)
+        context.warn(path, "a part of the model is " + twoDigits(framed.scaleOfTheRest) +
+                               " times larger than all that is on or in it, which is what the "
+                               "picture shows; --from and --look-at choose another view");
+    return std::move(framed.points);
 }
 
 void addFloor(const ModelExtent& extent, const Camera& camera, ReadContext& context) {
@@ -153,8 +211,10 @@ SceneAndNotes readModelScene(const std::string& path, const LoadOptions& options
     scene.shapes.push_back(readModel(path, context));
 
     const Mesh& mesh = std::get<Mesh>(scene.shapes.front().geometry);
-    const ModelExtent extent = extentOf(mesh, path);
-    scene.camera = placeCamera(mesh, extent);
+    const std::vector<glm::dvec3> points = pointsToShow(mesh, path, context);
+    const ModelExtent extent = extentOf(points, path);
+    scene.camera = placeCamera(points, extent, options.view);
+    addToHash(options.view, context.hash);
     addFloor(extent, scene.camera, context);
     for (const LightPlan& plan : kLights)
         addLight(plan, extent, context);

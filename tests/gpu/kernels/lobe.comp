@@ -27,7 +27,7 @@ void main() {
     vec3 u = vec3(event.u1, event.u2, event.u3);
     TestLobe result;
 #define LOBE(id, member, people)                                                                   \
-    if ((event.material.lobes & kLobe##id) != 0u)                                                           \
+    if ((event.material.lobes & kLobe##id) != 0u)                                                  \
     CALOTYPE_TEST_LOBE(make##id(event.material))
 #include "shared/feature_table.h"
     results[i] = result;

@@ -1,0 +1,103 @@
+#include "gpu/choose_device.h"
+
+#include <algorithm>
+#include <charconv>
+#include <string>
+
+#include "base/error.h"
+#include "base/lowercase.h"
+#include "gpu/vulkan.h"
+
+namespace calotype {
+namespace {
+
+std::string quoteNames(const std::vector<DeviceInfo>& devices) {
+    std::string names;
+    for (const DeviceInfo& device : devices)
+        names +=
+            (names.empty() ? "" : ", ") + std::to_string(device.index) + " '" + device.name + "'";
+    return names;
+}
+
+bool isIndexOf(const DeviceInfo& device, const std::string& wish) {
+    uint32_t index = 0;
+    const char* const end = wish.data() + wish.size();
+    const auto [stop, error] = std::from_chars(wish.data(), end, index);
+    return error == std::errc() && stop == end && device.index == index;
+}
+
+/// nvidia-smi prints "GPU-" before a UUID.
+bool isUuidOf(const DeviceInfo& device, const std::string& wish) {
+    constexpr size_t kFewestDigits = 8;
+    const std::string digits = wish.starts_with("gpu-") ? wish.substr(4) : wish;
+    return digits.size() >= kFewestDigits && device.uuid.starts_with(digits);
+}
+
+/// Some tools print a domain of eight digits, others none.
+bool isAddressOf(const DeviceInfo& device, const std::string& wish) {
+    return std::ranges::count(wish, ':') > 0 && !device.pciAddress.empty() &&
+           (wish.ends_with(device.pciAddress) || device.pciAddress.ends_with(":" + wish));
+}
+
+bool isPartOf(const std::string& text, const std::string& wish) {
+    return lowercase(text).find(wish) != std::string::npos;
+}
+
+/// The ways in which a wish can fit a device, the most exact first. Wishes are in lower case.
+using Fits = bool (*)(const DeviceInfo&, const std::string&);
+constexpr Fits kWaysToFit[] = {
+    isIndexOf,
+    isUuidOf,
+    isAddressOf,
+    [](const DeviceInfo& device, const std::string& wish) { return isPartOf(device.name, wish); },
+    [](const DeviceInfo& device, const std::string& wish) { return isPartOf(device.driver, wish); },
+};
+
+DeviceChoice chooseByWish(const std::vector<DeviceInfo>& devices, std::string_view wish,
+                          std::string_view askedBy) {
+    const std::string asked =
+        std::string(askedBy) + (askedBy.empty() ? "'" : " '") + std::string(wish) + "'";
+    const std::string lowered = lowercase(wish);
+    for (const Fits fits : kWaysToFit) {
+        const auto found = std::ranges::find_if(
+            devices, [&](const DeviceInfo& device) { return fits(device, lowered); });
+        if (found == devices.end())
+            continue;
+        if (!found->missing.empty())
+            throw GpuError("the device '" + found->name + "' that " + asked + " names lacks " +
+                           found->missing);
+        return {found->index, "matches " + asked};
+    }
+    throw GpuError("no device matches " + asked + "; there are: " + quoteNames(devices));
+}
+
+/// llvmpipe is many times faster than other drivers that render on the CPU.
+bool isBetter(const DeviceInfo& a, const DeviceInfo& b) {
+    if (a.rank != b.rank)
+        return a.rank > b.rank;
+    if (a.driverId == b.driverId)
+        return a.driverVersion > b.driverVersion;
+    return a.driverId == VK_DRIVER_ID_MESA_LLVMPIPE;
+}
+
+} // namespace
+
+DeviceChoice chooseDevice(const std::vector<DeviceInfo>& devices, std::string_view wish,
+                          std::string_view askedBy) {
+    if (devices.empty())
+        throw GpuError("there is no Vulkan device; install a driver (Debian: mesa-vulkan-drivers, "
+                       "which renders on the CPU)");
+    if (!wish.empty())
+        return chooseByWish(devices, wish, askedBy);
+    const DeviceInfo* best = nullptr;
+    for (const DeviceInfo& device : devices)
+        if (device.missing.empty() && (!best || isBetter(device, *best)))
+            best = &device;
+    if (!best)
+        throw GpuError("no device can run Calotype: '" + devices.front().name + "' lacks " +
+                       devices.front().missing);
+    return {best->index, devices.size() == 1 ? "the only device"
+                                             : "the best " + best->type + ", the best kind here"};
+}
+
+} // namespace calotype
