@@ -4,7 +4,8 @@
 
 namespace calotype {
 
-/// The kind of a file by its first bytes, for messages: "a PLY mesh". Empty if it is not known.
+/// The kind of a file by its first bytes, for messages: "a PLY mesh", "an empty file". Empty if it
+/// is not known.
 std::string_view fileKind(std::string_view bytes);
 
 } // namespace calotype

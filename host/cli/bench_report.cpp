@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/number_text.h"
+#include "engine/json_document.h"
 #include "engine/statistics.h"
 #include "settings/settings_table.h"
 
@@ -55,9 +56,8 @@ std::string toText(const std::string& scene, const BenchReport& report) {
 }
 
 std::string toJsonLine(const std::string& scene, const BenchReport& report, uint32_t threads) {
-    nlohmann::ordered_json json;
+    nlohmann::ordered_json json = newJsonDocument();
     json["scene"] = scene;
-    json["version"] = CALOTYPE_VERSION;
     json["device"] = report.device.name;
     json["driver"] = report.device.driver;
     json["threads"] = threads;

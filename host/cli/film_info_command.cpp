@@ -7,42 +7,12 @@
 #include "base/number_text.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
-#include "engine/statistics.h"
+#include "engine/film_json.h"
 #include "film/error_estimate.h"
 #include "film/film_file.h"
-#include "shared/limits.h"
 
 namespace calotype {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-std::string devicesOf(const FilmLabel& label) {
-    std::string names;
-    for (const std::string& device : label.devices)
-        names += (names.empty() ? "" : "; ") + device;
-    return names;
-}
-
-Json toJson(const KeptFilm& kept) {
-    const Film& film = kept.film;
-    Json json;
-    json["spp"] = film.samplesPerPixel();
-    json["ranges"] = Json::array();
-    for (const BlockRange& range : film.blocks().ranges())
-        json["ranges"].push_back(
-            {range.begin * shared::kSamplesPerBlock, range.end * shared::kSamplesPerBlock});
-    json["scene_hash"] = hexadecimal(kept.label.sceneHash);
-    json["device"] = devicesOf(kept.label);
-    json["width"] = film.width();
-    json["height"] = film.height();
-    json["settings"] = kept.label.settings;
-    json["error"] = describeError(estimateError(film));
-    json["non_finite_samples"] = film.losses().nonFiniteSamples;
-    json["cut_paths"] = film.losses().cutPaths;
-    json["lost_blocks"] = film.losses().lostPixels();
-    return json;
-}
 
 void print(const KeptFilm& kept) {
     const Film& film = kept.film;
@@ -71,7 +41,7 @@ void print(const KeptFilm& kept) {
 int filmInfoCommand(const InfoOptions& options) {
     const KeptFilm kept = readFilm(options.scene.path);
     if (options.asJson)
-        std::printf("%s\n", toJson(kept).dump(2).c_str());
+        std::printf("%s\n", filmJson(kept).dump(2).c_str());
     else
         print(kept);
     return kExitDone;

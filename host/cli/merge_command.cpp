@@ -1,12 +1,15 @@
 #include <cinttypes>
 #include <cstdio>
 
+#include <nlohmann/json.hpp>
+
 #include "base/output_failures.h"
 #include "cli/check_outputs.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
 #include "engine/exr_metadata.h"
+#include "engine/film_json.h"
 #include "engine/merge_films.h"
 #include "film/develop.h"
 #include "film/film_file.h"
@@ -51,7 +54,10 @@ int mergeCommand(const MergeOptions& options) {
     const OutputClaims claims = checkOutputs(options);
     const KeptFilm joined = mergeFilms(options.films, [] { throwIfInterrupted(kInterrupted); });
     throwIfInterrupted(kInterrupted);
-    printSamples(joined.film);
+    if (options.asJson)
+        std::printf("%s\n", filmJson(joined).dump(2).c_str());
+    else
+        printSamples(joined.film);
     if (options.required && !holdsRequired(joined.film, *options.required))
         return kExitDiffers;
     for (const std::string& path : options.outputs)

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/hexadecimal.h"
+#include "engine/json_document.h"
 #include "settings/settings_table.h"
 
 namespace calotype {
@@ -48,8 +49,7 @@ uint64_t peakMemoryBytes() {
 std::string toJson(const RenderStatistics& statistics) {
     const auto& [device, settings, sceneHash, totals, ending, seconds, deviceBytes, tree] =
         statistics;
-    nlohmann::ordered_json json;
-    json["version"] = CALOTYPE_VERSION;
+    nlohmann::ordered_json json = newJsonDocument();
     json["device"] = device.name;
     json["driver"] = device.driver;
     json["scene_hash"] = hexadecimal(sceneHash);

@@ -7,7 +7,7 @@
 #include <stb_image.h>
 
 #include "base/error.h"
-#include "image/file_kind.h"
+#include "base/file_kind.h"
 #include "image/hdr.h"
 #include "image/image_check.h"
 #include "image/jpeg_check.h"
@@ -106,7 +106,7 @@ TexelImage readTexelImage(std::string_view file, uint32_t largestSide, const std
             return readWithStb(format, file, largestSide, where);
     if (isTga(file)) // last: it has no signature
         return readTga(file, largestSide, where);
-    const std::string_view kind = kindOfFile(file);
+    const std::string_view kind = fileKind(file);
     throw SceneError(where, kind.empty() ? "the file is not an image that can be read: PNG, JPEG, "
                                            "TGA, BMP and HDR are"
                                          : "the file is " + std::string(kind) +

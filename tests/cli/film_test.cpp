@@ -91,14 +91,21 @@ TEST_F(FilmTest, InfoSaysWhatItHolds) {
     const auto json = nlohmann::json::parse(asJson.output);
     EXPECT_EQ(json["spp"], 48);
     EXPECT_EQ(json["ranges"], (nlohmann::json{{0, 32}, {64, 80}}));
-    EXPECT_EQ(json["settings"]["seed"], "5");
-    EXPECT_EQ(json["width"], 32);
+    EXPECT_EQ(json["missing"], (nlohmann::json{{32, 64}}));
+    EXPECT_EQ(json["settings"]["seed"], 5);
+    EXPECT_EQ(json["resolution"], (nlohmann::json{32, 24}));
     EXPECT_GT(json["error"]["relative"], 0.0);
     const std::string stats = folder_ / "stats.json";
     EXPECT_EQ(
         runProgram(render({"-o", folder_ / "a.png", "--stats", stats, "--seed", "9"})).exitCode, 0);
     const auto statistics = nlohmann::json::parse(readText(stats));
     EXPECT_EQ(json["scene_hash"], statistics["scene_hash"]);
+    // One type for one fact.
+    for (const auto& [name, value] : json["settings"].items())
+        if (statistics.contains(name))
+            EXPECT_STREQ(value.type_name(), statistics[name].type_name()) << name;
+    const ProgramResult merged = runProgram({"merge", a, b, "-o", folder_ / "both", "--json"});
+    EXPECT_EQ(nlohmann::json::parse(merged.output), json);
     EXPECT_EQ(json["device"].get<std::string>().find(statistics["device"].get<std::string>()), 0u);
     const ProgramResult asText = runProgram({"info", folder_ / "both"});
     for (const char* word : {"48 per pixel: 0:32, 64:80", "32 x 24", "sampler", "sobol"})

@@ -48,8 +48,8 @@ TEST(SceneSyntaxTest, SaysWhatAFileIsInstead) {
         {"solid teapot\n", "is an STL mesh"},
         {std::string("glTF\2\0\0\0", 8), "is a binary glTF file (GLB)"},
         {"{\"asset\": {\"version\": \"2.0\"}, \"nodes\": []}", "is a glTF file"},
-        {"\x89PNG\r\n", "is a PNG picture"},
-        {"RIFF\x10\x10\x10\x10WEBP", "is a WebP picture"},
+        {"\x89PNG\r\n", "is a PNG image"},
+        {"RIFF\x10\x10\x10\x10WEBP", "is a WebP image"},
         {"# A text", "is neither a scene (JSON), which starts with {, nor"},
         {"WorldBegin", "is neither a scene"},
     };
