@@ -25,7 +25,8 @@ void addSceneOptions(CLI::App& command, SceneOptions& scene) {
         ->type_name("SCENE");
     addOverrides(command, scene.overrides);
     addParsed(command, "--missing-textures", scene.missingTextures, parseMissingTextures,
-              "Where an image file is missing or cannot be read: fail, or warn and show magenta", "fail|warn")
+              "Where an image file is missing or cannot be read: fail, or warn and show magenta",
+              "fail|warn")
         ->group("Scene");
 }
 
