@@ -54,8 +54,8 @@ vec4 loadTexel(Texture image, int i, int j, bool decode) {
 /// transparent texel has no meaning. Where all four are transparent, the colour stays.
 vec4 weighByAlpha(vec4 filtered, vec4 texels[4], vec2 f) {
     vec4 alphas = vec4(texels[0].a, texels[1].a, texels[2].a, texels[3].a);
-    vec4 shares = alphas * vec4((1.0 - f.x) * (1.0 - f.y), f.x * (1.0 - f.y), (1.0 - f.x) * f.y,
-                                f.x * f.y);
+    vec4 shares =
+        alphas * vec4((1.0 - f.x) * (1.0 - f.y), f.x * (1.0 - f.y), (1.0 - f.x) * f.y, f.x * f.y);
     float total = shares.x + shares.y + shares.z + shares.w;
     if (!(total > 0.0))
         return filtered;

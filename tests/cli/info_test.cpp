@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/cli_test.h"
+#include "support/image_files.h"
 
 namespace calotype::test {
 namespace {
@@ -23,6 +24,35 @@ TEST_F(InfoTest, InfoAppliesOverrides) {
     const ProgramResult result = runProgram({"info", scene_, "--set", "/shapes/1/type=cube"});
     EXPECT_EQ(result.exitCode, 3);
     EXPECT_NE(result.errors.find("/shapes/1"), std::string::npos) << result.errors;
+}
+
+// Forty images of 4 GiB each, of which only the headers exist: too many for a device or this
+// machine.
+TEST_F(InfoTest, TexturesThatDoNotFitAreRefusedByTheirHeaders) {
+    std::string textures;
+    std::string materials;
+    for (int i = 0; i < 40; ++i) {
+        const std::string name = std::to_string(i);
+        folder_.write(name + ".png", pngFile(16384, 16384, 16, 6, ""));
+        textures +=
+            (i > 0 ? ", \"" : "\"") + name + R"(": {"type": "image", "file": ")" + name + ".png\"}";
+        materials += ", \"" + name + R"(": {"type": "diffuse", "color": ")" + name + "\"}";
+    }
+    std::string scene = kSmallScene;
+    scene.insert(scene.find("\"materials\""), "\"textures\": {" + textures + "}, ");
+    scene.insert(scene.find(" },\n  \"shapes\""), materials);
+    const std::string path = folder_.write("large.json", scene);
+    for (const std::vector<std::string>& command :
+         {std::vector<std::string>{"info", path},
+          {"render", path, "-o", folder_ / "a.png", "--quiet"},
+          {"render", path, "-o", folder_ / "a.png", "--quiet", "--device", "reference"}}) {
+        const ProgramResult result = runProgram(command);
+        expectFailure(result, command.back() == "reference" ? 1 : 4, "take 163840 MiB");
+        EXPECT_NE(
+            result.errors.find("the largest of 40 files are \"0.png\" (16384 x 16384, 4096 MiB)"),
+            std::string::npos)
+            << result.errors;
+    }
 }
 
 TEST_F(InfoTest, DevicesSayWhichIsTakenAndWhy) {

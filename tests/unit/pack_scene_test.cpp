@@ -113,6 +113,31 @@ TEST(PackSceneTest, LeavesOutMaterialsThatNoShapeUses) {
     EXPECT_EQ(rowCount(packAsProgram(scene).packed.texelRows), 64u * 64u / 4u);
 }
 
+// One image, read in two ways: colours weighted by alpha, and alpha itself.
+TEST(PackSceneTest, PacksColoursOfCutOutsBesideTheirAlpha) {
+    Scene scene = sceneOf({shapeOf(Sphere{})});
+    auto image = std::make_shared<TexelImage>();
+    image->width = image->height = 2;
+    image->bytes.resize(4 * 2 * 2);
+    image->isTransparent = true;
+    scene.textures = {{"leaf", ImageTexture{image}}};
+    scene.materials.resize(1);
+    scene.materials[0].colorTexture = 0;
+    const auto hasFeature = [](const GpuScene& packed) {
+        return packed.features.enabled[shared::kFeatureCutOutColors];
+    };
+    EXPECT_FALSE(hasFeature(packAsProgram(scene).packed));
+    scene.materials[0].alphaTexture = 0;
+    const GpuScene packed = packAsProgram(scene).packed;
+    EXPECT_TRUE(hasFeature(packed));
+    const auto isCutOut = [&](uint32_t texture) {
+        return (packed.textures.at(texture).flags & shared::kTextureIsCutOut) != 0;
+    };
+    EXPECT_TRUE(isCutOut(packed.materials[0].colorTexture));
+    EXPECT_FALSE(isCutOut(packed.materials[0].alphaTexture));
+    EXPECT_EQ(rowCount(packed.texelRows), 1u);
+}
+
 // Half of the light samples at most go to the background, which rays that leave find anyway.
 TEST(PackSceneTest, BackgroundIsALightOfItsOwnKind) {
     Scene scene = sceneOf({shapeOf(Sphere{}, 1), shapeOf(Disk{{}, 1e4})});
