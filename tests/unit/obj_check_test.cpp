@@ -82,6 +82,7 @@ TEST(ObjCheckTest, AcceptsWhatIsLegalOrDoesNotMatter) {
         kTriangle + "g a\no\ns off\nvp x\nnonsense ...\nf 1 2 3\n",
         // Not used by any face, so of no matter.
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 x\nv nan 0 0\nvn 0 0\nvt zero\nvt nan nan\nf 1 2 3\n",
+        kTriangle + "v\nvt\nvn # none\nf 1 2 3\n",
         kTriangle + "vt 1e30 0\nvt 1e9 -1e9 1e30\nf 1/2 2/2 3/2\n",
     };
     for (const std::string& text : texts)
@@ -198,7 +199,7 @@ TEST(ObjCheckTest, RefusesWithTheLine) {
         {"v 0 0 0\nv 1 0 1,5\nv 0 1 0\nf 1 2 3\n", 2, "\"1,5\" is not a number"},
         {"v 0 0 0\nv 1 0\nv 0 1 0\nf 1 2 3\n", 2, "needs 3 numbers, not 2"},
         {"v 0 0 0\nv 1 0 0 red\nv 0 1 0\nf 1 2 3\n", 2, "\"red\" is not a number"},
-        {"v 0 0 0\nv\nv 0 1 0\nf 1 2 3\n", 2, "lacks its coordinates"},
+        {"v 0 0 0\nv\nv 0 1 0\nf 1 2 3\n", 2, "lacks its numbers"},
         {"f 1 2 3\nv 0 0 0\nv 1 0 x\nv 0 1 0\n", 3, "\"x\" is not a number"},
         {kTriangle + "vn 0 0\nf 1//1 2//1 3//1\n", 4, "a normal needs 3 numbers, not 2"},
         {kTriangle + "vt x\nf 1/1 2/1 3/1\n", 4, "\"x\" is not a number"},

@@ -83,9 +83,13 @@ private:
     }
 
     void addVertexData(ObjData kind, TextCursor& cursor) {
-        if (cursor.atEnd())
-            fail(std::string("\"") + kKeywords[kind] + "\" lacks its coordinates");
         const size_t index = outline_.counts[kind]++;
+        if (cursor.atEnd()) {
+            outline_.needsRewriting = true;
+            addUnreadable(kind, index,
+                          std::string("\"") + kKeywords[kind] + "\" lacks its numbers");
+            return;
+        }
         int numbers = 0;
         bool isUsable = true;
         bool isZero = true;

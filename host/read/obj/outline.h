@@ -75,8 +75,7 @@ struct ObjOutline {
     }
 };
 
-/// Reads the structure of an OBJ. Throws SceneError at "PATH:LINE" for malformed corners and vertex
-/// data without any number.
+/// Reads the structure of an OBJ. Throws SceneError at "PATH:LINE" for malformed corners.
 ObjOutline outlineOfObj(std::string_view text, const std::string& path,
                         const OnProgress& onProgress = {});
 

@@ -33,6 +33,8 @@ std::string tidyFace(TextCursor cursor) {
 
 std::string tidyVertex(std::string_view keyword, TextCursor cursor) {
     std::string result(keyword);
+    if (cursor.atEnd())
+        return result + " 0"; // without a number it is not counted
     while (!cursor.atEnd()) {
         const double value = parseNumber(cursor.word()).value_or(0.0);
         std::array<char, 32> digits{}; // the shortest form of a double has at most 24
