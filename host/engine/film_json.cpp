@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Pairs of the first sample and the one after the last.
-Json toJson(const BlockRanges& ranges) {
+Json rangesJson(const BlockRanges& ranges) {
     Json json = Json::array();
     for (const BlockRange& range : ranges.ranges())
         json.push_back(
@@ -23,7 +23,7 @@ Json toJson(const BlockRanges& ranges) {
 
 /// The values with the types that they have in all documents; a text if the value, or the setting
 /// itself, is of another version.
-Json toJson(const SettingTexts& texts) {
+Json settingsJson(const SettingTexts& texts) {
     Json json = Json::object();
     for (const auto& [name, text] : texts) {
         RenderSettings settings;
@@ -43,10 +43,10 @@ Json filmJson(const KeptFilm& kept) {
     json["device"] = devicesOf(kept.label);
     json["resolution"] = {film.width(), film.height()};
     json["spp"] = film.samplesPerPixel();
-    json["ranges"] = toJson(film.blocks());
-    json["missing"] = toJson(film.blocks().gaps());
+    json["ranges"] = rangesJson(film.blocks());
+    json["missing"] = rangesJson(film.blocks().gaps());
     json["error"] = describeError(estimateError(film));
-    json["settings"] = toJson(kept.label.settings);
+    json["settings"] = settingsJson(kept.label.settings);
     json["non_finite_samples"] = film.losses().nonFiniteSamples;
     json["cut_paths"] = film.losses().cutPaths;
     json["lost_blocks"] = film.losses().lostPixels();

@@ -59,8 +59,7 @@ TEST_F(LimitWarningsTest, CountLampsInsteadOfNamingAll) {
         scene["lights"].push_back(scene["lights"][0]);
     const auto warnings = warningsOf(scene, "lies in the plane of");
     ASSERT_EQ(warnings.size(), 1u);
-    EXPECT_NE(warnings[0].find("(and 30 more of this kind, at "), std::string::npos)
-        << warnings[0];
+    EXPECT_NE(warnings[0].find("(and 30 more of this kind, at "), std::string::npos) << warnings[0];
 }
 
 TEST_F(LimitWarningsTest, NotOfLampsApartBesideOrAcross) {
