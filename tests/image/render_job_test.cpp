@@ -74,13 +74,19 @@ TEST_F(RenderJobTest, GoesOnWithAFilm) {
     EXPECT_EQ(second.plan.samplesBefore, 16u);
     EXPECT_EQ(second.totals.paths, 16u * 16 * 16);
     EXPECT_EQ(second.pixels, whole.pixels);
+    // The film holds all samples: the picture is made of them.
+    job.film = {};
+    job.film.film = folder_ / "box.film";
+    const RenderResult third = renderer.render(job);
+    EXPECT_EQ(third.totals.paths, 0u);
+    EXPECT_EQ(third.pixels, whole.pixels);
 }
 
 TEST_F(RenderJobTest, WarnsWhereItArisesAndInTheResult) {
     Renderer renderer(projectScene("scenes/cornell-box.json"), device_);
     RenderJob job = smallJob(renderer);
-    job.film.film = folder_ / "box.film";
-    renderer.render(job);
+    job.output.previewInterval.samples = job.settings.samplesPerPixel;
+    job.output.previewFile = folder_ / "none/preview.png";
     std::vector<std::string> warnings;
     std::vector<uint64_t> samples;
     RenderCallbacks callbacks;
@@ -91,7 +97,7 @@ TEST_F(RenderJobTest, WarnsWhereItArisesAndInTheResult) {
     };
     const RenderResult result = renderer.render(job, callbacks);
     ASSERT_EQ(warnings.size(), 1u);
-    EXPECT_NE(warnings[0].find("is a film already"), std::string::npos) << warnings[0];
+    EXPECT_NE(warnings[0].find("none/preview.png"), std::string::npos) << warnings[0];
     EXPECT_EQ(result.warnings, warnings);
     ASSERT_GE(samples.size(), 2u);
     EXPECT_EQ(samples.front(), 0u);

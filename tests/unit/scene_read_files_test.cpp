@@ -36,7 +36,7 @@ protected:
 
 TEST_F(ReadFilesTest, AModelsAreItsOwnItsMtlsAndItsTextures) {
     const LoadedScene scene = loadScene(files_.path("chair.obj"));
-    EXPECT_EQ(names(scene), (std::multiset<std::string>{"chair.obj", "chair.mtl", "more.mtl",
+    ASSERT_EQ(names(scene), (std::multiset<std::string>{"chair.obj", "chair.mtl", "more.mtl",
                                                         "color.png", "alpha.png"}));
     EXPECT_EQ(scene.files().front(), files_.path("chair.obj"));
 }
