@@ -16,25 +16,25 @@ constexpr long kPatience = 300'000'000;
 
 // For the handlers, which may use little more.
 volatile std::sig_atomic_t isActive = 0;
-timer_t timer;
-char text[256];
-size_t textSize = 0;
+timer_t endTimer;
+char endMessage[256];
+size_t endMessageSize = 0;
 
 void onTimer(int) {
     if (!isActive)
         return;
-    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text, textSize);
+    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, endMessage, endMessageSize);
     _exit(kExitOther);
 }
 
 } // namespace
 
-InterruptDeadline::InterruptDeadline(const std::string& message) {
-    const std::string line = "calotype: " + message + "\n";
+InterruptDeadline::InterruptDeadline(const std::string& sentence) {
+    const std::string line = "calotype: " + sentence + "\n";
     // After a progress bar, in a line of its own.
     const std::string output = isatty(STDERR_FILENO) != 0 ? "\n" + line : line;
-    textSize = std::min(output.size(), sizeof text);
-    std::copy_n(output.data(), textSize, text);
+    endMessageSize = std::min(output.size(), sizeof endMessage);
+    std::copy_n(output.data(), endMessageSize, endMessage);
     struct sigaction action {};
     action.sa_handler = onTimer;
     action.sa_flags = SA_RESTART;
@@ -42,14 +42,14 @@ InterruptDeadline::InterruptDeadline(const std::string& message) {
     sigevent event{};
     event.sigev_notify = SIGEV_SIGNAL;
     event.sigev_signo = SIGALRM;
-    isActive = timer_create(CLOCK_MONOTONIC, &event, &timer) == 0 ? 1 : 0;
+    isActive = timer_create(CLOCK_MONOTONIC, &event, &endTimer) == 0 ? 1 : 0;
 }
 
 InterruptDeadline::~InterruptDeadline() {
     if (!isActive)
         return;
     isActive = 0;
-    timer_delete(timer);
+    timer_delete(endTimer);
 }
 
 void startInterruptDeadline() {
@@ -57,7 +57,7 @@ void startInterruptDeadline() {
         return;
     itimerspec expiry{};
     expiry.it_value.tv_nsec = kPatience;
-    timer_settime(timer, 0, &expiry, nullptr);
+    timer_settime(endTimer, 0, &expiry, nullptr);
 }
 
 } // namespace calotype

@@ -56,7 +56,8 @@ DeviceTextureMemory textureMemoryOf(const DeviceOptions& options) {
     const DeviceSession session(options);
     const Device& device = session.device();
     const uint64_t buffer = uint64_t{device.limits().maxTexelBufferElements} * 16;
-    return {std::min(buffer, device.info().memoryBytes), device.info().name, device.info().type == "CPU"};
+    return {std::min(buffer, device.info().memoryBytes), device.info().name,
+            device.info().type == "CPU"};
 }
 
 DeviceFit fitOf(const RenderSettings& settings, const DeviceOptions& options) {

@@ -14,7 +14,6 @@ std::optional<double> intersect(const Sphere& sphere, const LocalRay& ray) {
 }
 
 LocalSurface surfaceNear(const Sphere& sphere, const glm::dvec3& p) {
-    constexpr double kPi = std::numbers::pi;
     LocalSurface surface;
     surface.normal = glm::normalize(p);
     surface.position = sphere.radius * surface.normal;
@@ -24,9 +23,10 @@ LocalSurface surfaceNear(const Sphere& sphere, const glm::dvec3& p) {
     const double y = surface.position.y;
     const double z = surface.position.z;
     const double fromAxis = std::hypot(x, z);
-    surface.uv = {turnsAboutY(surface.position), std::atan2(fromAxis, -y) / kPi};
+    surface.uv = {turnsAboutY(surface.position), std::atan2(fromAxis, -y) / std::numbers::pi};
     surface.dpdu = derivativeByTurns(surface.position);
-    surface.dpdv = fromAxis > 0.0 ? kPi * glm::dvec3(-y * x / fromAxis, fromAxis, -y * z / fromAxis)
+    surface.dpdv = fromAxis > 0.0 ? std::numbers::pi *
+                                        glm::dvec3(-y * x / fromAxis, fromAxis, -y * z / fromAxis)
                                   : glm::dvec3(0.0);
     return surface;
 }
