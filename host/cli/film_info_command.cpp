@@ -7,6 +7,7 @@
 #include "base/number_text.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
+#include "cli/trust_text.h"
 #include "engine/film_json.h"
 #include "film/error_estimate.h"
 #include "film/film_file.h"
@@ -24,7 +25,7 @@ void print(const KeptFilm& kept) {
     std::printf("\n");
     if (const auto error = estimateError(film))
         std::printf("error          %s%s\n", percentText(error->relative).c_str(),
-                    error->doubt && !error->isTrusted() ? ", not to be trusted" : "");
+                    trustText(*error).c_str());
     std::printf("scene          %s\n", hexadecimal(kept.label.sceneHash).c_str());
     std::printf("device         %s\n", devicesOf(kept.label).c_str());
     for (const auto& [name, value] : kept.label.settings)

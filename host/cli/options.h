@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/progress.h"
 #include "engine/film_options.h"
 #include "engine/output_options.h"
 #include "film/block_ranges.h"
@@ -30,7 +31,8 @@ struct RenderOptions {
     GivenSettings settings;
     OutputOptions output;
     FilmOptions film;
-    bool quiet = false;
+    ProgressStyle progress = ProgressStyle::Text;
+    bool quiet = false; ///< no progress and no summary
 };
 
 struct InfoOptions {

@@ -22,6 +22,30 @@ bool isEmptyFile(const std::string& path) {
                      (input == output ? "" : ", as '" + input + "'") + "; write to another file");
 }
 
+/// "frame.%04d.png" and "frame.####.png".
+bool numbersFrames(const std::string& path) {
+    const std::string name = std::filesystem::path(path).filename().string();
+    if (name.find("##") != std::string::npos)
+        return true;
+    const size_t percent = name.find('%');
+    const size_t end = name.find_first_not_of("0123456789", percent + 1);
+    return percent != std::string::npos && end != std::string::npos && name[end] == 'd';
+}
+
+/// Names that are meant for something else than one file.
+void requireFileName(const std::string& path) {
+    std::error_code ignored;
+    if (path == "-" || path.starts_with("-."))
+        throw UsageError("nothing can be written to standard output; name a file in place of '" +
+                         path + "'");
+    if (numbersFrames(path))
+        throw UsageError("'" + path +
+                         "' has the number of a frame, and animations cannot be rendered yet; "
+                         "name one file");
+    if (std::filesystem::is_directory(path, ignored))
+        throw UsageError("the output '" + path + "' is a folder; name a file in it");
+}
+
 } // namespace
 
 bool isSameFile(const std::string& a, const std::string& b) {
@@ -44,6 +68,7 @@ void OutputClaims::reserve(std::span<const std::string> paths) {
 }
 
 void OutputClaims::claim(const std::string& path) {
+    requireFileName(path);
     for (const std::string& input : inputs_)
         if (isSameFile(path, input))
             failReadAndWritten(path, input);
@@ -56,6 +81,7 @@ void OutputClaims::claim(const std::string& path) {
 }
 
 void OutputClaims::claimPicture(const std::string& path) {
+    requireFileName(path);
     if (!imageFormatOf(path))
         throw UsageError("the picture '" + path + "' has no known extension; use " +
                          std::string(kImageExtensions));
@@ -63,6 +89,7 @@ void OutputClaims::claimPicture(const std::string& path) {
 }
 
 void OutputClaims::claimFilm(const std::string& path) {
+    requireFileName(path);
     if (imageFormatOf(path))
         throw UsageError("the film '" + path +
                          "' has the extension of a picture; name it otherwise, such as x.film");

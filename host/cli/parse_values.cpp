@@ -93,6 +93,12 @@ float parseExposure(const std::string& text) {
     return *stops;
 }
 
+ProgressStyle parseProgressStyle(const std::string& text) {
+    if (text != "text" && text != "json")
+        fail("--progress", text, "text or json");
+    return text == "json" ? ProgressStyle::Json : ProgressStyle::Text;
+}
+
 LayerList parseLayers(const std::string& text) {
     LayerList layers;
     for (std::string_view rest = text;;) {

@@ -21,7 +21,8 @@ float parseExposure(const std::string& text);         ///< --exposure "-1.5", in
 double parseMaxRelativeMse(const std::string& text);  ///< --max-relmse "1e-3"
 BlockRange parseSampleRange(const std::string& text); ///< --require "0:1024"
 
-LayerList parseLayers(const std::string& text); ///< --aov "albedo,normal,error"
+ProgressStyle parseProgressStyle(const std::string& text); ///< --progress "text" or "json"
+LayerList parseLayers(const std::string& text);            ///< --aov "albedo,normal,error"
 /// "30s", "1.5m", "2h", or a number of seconds; above 0. Messages name `option`.
 double parseDuration(const std::string& option, const std::string& text);
 

@@ -4,15 +4,21 @@
 #include <cmath>
 #include <cstdio>
 
+#include <nlohmann/json.hpp>
+
 #include "base/number_text.h"
 #include "base/stopwatch.h"
 #include "cli/terminal.h"
+#include "cli/trust_text.h"
 
 namespace calotype {
 namespace {
 
-constexpr std::chrono::milliseconds kBarInterval(100);
-constexpr std::chrono::seconds kLineInterval(10);
+using Duration = std::chrono::steady_clock::duration;
+
+constexpr Duration kBarInterval = std::chrono::milliseconds(100);
+constexpr Duration kJsonInterval = std::chrono::milliseconds(500);
+constexpr Duration kLineInterval = std::chrono::seconds(10);
 constexpr std::chrono::seconds kQuietStart(1); ///< before loading and building are shown
 constexpr size_t kLongestLine = 1000;          ///< where there is no terminal
 
@@ -32,14 +38,17 @@ std::string percentDone(double done) {
 
 } // namespace
 
-Progress::Progress(bool quiet, const RenderPlan& plan)
-    : quiet_(quiet), redraws_(canRedrawLines()), plan_(plan) {}
+Progress::Progress(ProgressStyle style, const RenderPlan& plan)
+    : style_(style), redraws_(style == ProgressStyle::Text && canRedrawLines()), plan_(plan) {}
 
 Progress::~Progress() { clear(); }
 
 bool Progress::isDue() {
     const Clock::time_point now = Clock::now();
-    if (quiet_ || now - lastShown_ < (redraws_ ? Clock::duration(kBarInterval) : kLineInterval))
+    const Clock::duration interval = style_ == ProgressStyle::Json ? kJsonInterval
+                                     : redraws_                    ? kBarInterval
+                                                                   : kLineInterval;
+    if (style_ == ProgressStyle::Quiet || now - lastShown_ < interval)
         return false;
     lastShown_ = now;
     return true;
@@ -59,8 +68,28 @@ void Progress::show(double done, std::vector<LinePart> parts) {
     barShown_ = redraws_;
 }
 
+void Progress::showJson(const std::string& stage, double done, const RenderTotals* totals) {
+    using Json = nlohmann::ordered_json;
+    const double seconds = secondsSince(start_);
+    Json json;
+    json["stage"] = stage;
+    json["done"] = done;
+    json["samples"] = totals ? Json(totals->samplesPerPixel) : Json();
+    json["error"] = totals && totals->error ? Json(totals->error->relative) : Json();
+    json["trusted"] = totals && totals->error ? Json(totals->error->isTrusted()) : Json();
+    json["seconds"] = seconds;
+    json["seconds_left"] = totals && done > 0.0 ? Json(seconds * (1.0 - done) / done) : Json();
+    std::fprintf(stderr, "%s\n", json.dump().c_str());
+    std::fflush(stderr);
+}
+
 void Progress::step(const std::string& what, double done) {
-    if (Clock::now() - start_ > kQuietStart && isDue())
+    const bool isLong = style_ == ProgressStyle::Json || Clock::now() - start_ > kQuietStart;
+    if (!isLong || !isDue())
+        return;
+    if (style_ == ProgressStyle::Json)
+        showJson(what, done, nullptr);
+    else
         show(done, {{what, kSamples}});
 }
 
@@ -70,13 +99,14 @@ void Progress::rendering(const RenderTotals& totals) {
     const double elapsed = secondsSince(start_);
     const auto paths = static_cast<double>(totals.paths);
     const double done = shareDone(plan_, totals, elapsed);
+    if (style_ == ProgressStyle::Json)
+        return showJson("rendering", done, &totals);
     std::string samples = std::to_string(totals.samplesPerPixel);
     if (plan_.samplesPerPixel)
         samples.append("/").append(std::to_string(*plan_.samplesPerPixel));
     std::string error;
     if (totals.error)
-        error = "error " + percentText(totals.error->relative) +
-                (totals.error->doubt && !totals.error->isTrusted() ? " (doubtful)" : "");
+        error = "error " + percentText(totals.error->relative) + trustText(*totals.error);
     show(done,
          {{samples + " spp", kSamples},
           {error, kError},

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -10,11 +11,17 @@
 
 namespace calotype {
 
-/// Shows the progress on standard error: as a bar on a terminal that can redraw it, in one line of
-/// its width, otherwise as a line from time to time. Silent if `quiet`.
+enum class ProgressStyle : uint8_t {
+    Quiet,
+    Text, ///< a bar on a terminal that can redraw it, in one line of its width; else a line at
+          ///< times
+    Json, ///< a line of JSON for each update (docs/json.md)
+};
+
+/// Shows the progress on standard error.
 class Progress {
 public:
-    explicit Progress(bool quiet, const RenderPlan& plan = {});
+    explicit Progress(ProgressStyle style, const RenderPlan& plan = {});
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
@@ -33,8 +40,9 @@ private:
     /// True if it is time for the next update.
     bool isDue();
     void show(double done, std::vector<LinePart> parts);
+    void showJson(const std::string& stage, double done, const RenderTotals* totals);
 
-    bool quiet_;
+    ProgressStyle style_;
     bool redraws_;
     bool barShown_ = false;
     RenderPlan plan_;

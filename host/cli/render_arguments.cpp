@@ -70,6 +70,10 @@ CLI::App& addRenderCommand(CLI::App& app, RenderOptions& options) {
     addFilmOptions(command, options.film);
     addDeviceOptions(command, options.device,
                      "; \"reference\": the reference tracer, in double precision on the CPU");
+    addParsed(command, "--progress", options.progress, parseProgressStyle,
+              "Progress on standard error: text (default), or json, a line for each update "
+              "(docs/json.md)",
+              "text|json");
     addQuietFlag(command, options.quiet);
     command.footer("Example: a picture of 256 samples per pixel, in linear light and for display:\n"
                    "  calotype render scenes/cornell-box.json --spp 256 -o box.exr -o box.png");

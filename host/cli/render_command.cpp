@@ -59,7 +59,7 @@ public:
         requireKnownTo(options_.device, given);
         double loadSeconds = 0.0;
         deadline_.emplace(Interrupted().what());
-        progress_.emplace(options_.quiet);
+        progress_.emplace(style());
         LoadedScene scene = timed(loadSeconds, [&] { return load(); });
         progress_->clear();
         claims.reserve(scene.files());
@@ -75,6 +75,10 @@ public:
     }
 
 private:
+    ProgressStyle style() const {
+        return options_.quiet ? ProgressStyle::Quiet : options_.progress;
+    }
+
     LoadedScene load() {
         return readScene(options_.scene, options_.settings, options_.device,
                          [&](const std::string& what, double done) {
@@ -94,7 +98,7 @@ private:
             if (isSampling_)
                 return progress_->rendering(totals);
             isSampling_ = true;
-            progress_.emplace(options_.quiet, plan);
+            progress_.emplace(style(), plan);
         };
         callbacks.shouldStop = isInterrupted;
         callbacks.onWarning = [&](const std::string& warning) {

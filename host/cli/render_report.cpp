@@ -5,29 +5,32 @@
 
 #include "base/number_text.h"
 #include "cli/read_scene.h"
+#include "cli/trust_text.h"
 
 namespace calotype {
 namespace {
 
-/// " 1.93 %", with a remark if light may be missing altogether.
+/// " 1.93 %", with a remark if it cannot be relied on.
 std::string estimateText(const ErrorEstimate& error) {
-    const bool isDoubtful = error.doubt && !error.isTrusted();
-    return std::string(" ")
-        .append(percentText(error.relative))
-        .append(isDoubtful ? " (not to be trusted: it rests on rare bright samples)" : "");
+    return " " + percentText(error.relative) + trustText(error);
 }
 
-/// Names the file of the picture or of the film.
-std::string placeOf(const RenderOptions& options) {
-    const std::vector<std::string>& pictures = options.output.pictures;
-    return pictures.empty() ? options.film.path() : pictures.front();
+/// All files that hold the picture: "a.exr, a.png, a.film".
+std::string placesOf(const RenderOptions& options) {
+    std::vector<std::string> paths = options.output.pictures;
+    if (options.film.keepsFilm())
+        paths.push_back(options.film.path());
+    std::string places;
+    for (const std::string& path : paths)
+        places += (places.empty() ? "" : ", ") + path;
+    return places;
 }
 
 void reportInterrupt(const RenderOptions& options, const std::string& samples) {
     const char* what = options.output.pictures.empty() ? "film" : "picture";
     const bool isContinued = options.film.keepsFilm() && !options.film.overwrites;
     std::fprintf(stderr, "calotype: interrupted after %s; the %s so far is in %s%s\n",
-                 samples.c_str(), what, placeOf(options).c_str(),
+                 samples.c_str(), what, placesOf(options).c_str(),
                  isContinued ? "; the same command goes on with the film" : "");
 }
 
@@ -53,6 +56,16 @@ void warnOfGoal(const RenderResult& result) {
                      (error ? judgedText(*error, *target) : ""));
 }
 
+/// What to do about an error that rests on rare light.
+void warnOfRareLight(const RenderResult& result) {
+    const auto& error = result.totals.error;
+    if (error && error->trust() == Trust::RareLight)
+        printWarning("the error is not to be trusted: most of the light comes from rare bright "
+                     "samples, and more of it may be missing; render more samples, enlarge small "
+                     "bright lamps, or use --clamp-indirect, which leaves such light out and so "
+                     "darkens the picture");
+}
+
 } // namespace
 
 void reportRender(const RenderOptions& options, const RenderResult& result) {
@@ -65,13 +78,14 @@ void reportRender(const RenderOptions& options, const RenderResult& result) {
     if (result.ending == RenderEnding::Stopped)
         return reportInterrupt(options, samples);
     warnOfGoal(result);
+    warnOfRareLight(result);
     if (options.quiet)
         return;
     const auto rate = [&](uint64_t count) {
         return totals.seconds > 0.0 ? withPrefix(static_cast<double>(count) / totals.seconds)
                                     : std::string("0");
     };
-    std::fprintf(stderr, "%s: %s in %s%s, %s samples/s, %s rays/s\n", placeOf(options).c_str(),
+    std::fprintf(stderr, "%s: %s in %s%s, %s samples/s, %s rays/s\n", placesOf(options).c_str(),
                  samples.c_str(), durationText(totals.seconds).c_str(),
                  totals.error ? (", error" + estimateText(*totals.error)).c_str() : "",
                  rate(totals.paths).c_str(), rate(totals.rays).c_str());

@@ -166,7 +166,7 @@ int studyCommand(const StudyOptions& options) {
     catchInterrupts();
     const DeviceOptions device = withEnvironment(options.device, true);
     const Clock::time_point start = Clock::now();
-    Progress progress(options.quiet);
+    Progress progress(options.quiet ? ProgressStyle::Quiet : ProgressStyle::Text);
     const auto show = [&](const std::string& what) {
         const double done = secondsSince(start) / options.budget;
         const double left = options.budget - secondsSince(start);

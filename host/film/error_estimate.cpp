@@ -246,7 +246,11 @@ double relativeShare(double variance, double luminance, double meanLuminance) {
 
 double relativeError(double meanShare) { return kNormalInterval * std::sqrt(meanShare); }
 
-bool ErrorEstimate::isTrusted() const { return doubt.has_value() && *doubt <= kMostDoubt; }
+Trust ErrorEstimate::trust() const {
+    if (!doubt)
+        return Trust::TooFewSamples;
+    return *doubt <= kMostDoubt ? Trust::Trusted : Trust::RareLight;
+}
 
 /// A chi-square variable of n = 2 / uncertainty^2 degrees of freedom, over n, is at least the cube
 /// of 1 - a - z sqrt(a), with a = 2 / (9 n) (Wilson and Hilferty 1931).

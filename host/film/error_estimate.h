@@ -11,6 +11,13 @@ namespace calotype {
 class AdaptiveFilm;
 class Film;
 
+/// How far an estimate can be relied on.
+enum class Trust : uint8_t {
+    TooFewSamples, ///< below 128 samples per pixel not all replicas hold samples
+    RareLight,     ///< it depends on rare bright samples, so that light may be missing altogether
+    Trusted,
+};
+
 /// The distance of a picture from its limit with infinitely many samples: one number, from the
 /// spread of the film's replicas about their mean.
 ///
@@ -30,9 +37,8 @@ struct ErrorEstimate {
     std::optional<double> doubt;
     uint32_t replicas = 0; ///< that hold samples
 
-    /// False if the estimate depends on rare bright samples, so that light may be missing
-    /// altogether, or if the replicas are too few to decide this.
-    bool isTrusted() const;
+    Trust trust() const;
+    bool isTrusted() const { return trust() == Trust::Trusted; }
 
     /// An upper bound of what `relative` would be if v had no noise, wrong with a probability of
     /// 1/3060: 5 % over all looks (film/looks.h). Infinite where v is too uncertain.

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <sstream>
 #include <string>
 #include <thread>
 
@@ -341,6 +342,40 @@ TEST_F(InterruptTest, LaterSignalEndsAtOnce) {
     });
     EXPECT_EQ(result.exitCode, 128 + SIGTERM) << result.errors;
     EXPECT_FALSE(std::filesystem::exists(out_));
+}
+
+// A line for each update; the last lines are text.
+TEST_F(RenderTest, ProgressCanBeJson) {
+    const std::string film = folder_ / "a.film";
+    const ProgramResult result =
+        runProgram({"render", scene_, "-o", folder_ / "a.png", "-o", folder_ / "a.exr", "--film",
+                    film, "--time", "1.5s", "--progress", "json", "--from", "-1,2,4"});
+    ASSERT_EQ(result.exitCode, 0) << result.errors;
+    std::istringstream lines(result.errors);
+    std::string line;
+    int updates = 0;
+    while (std::getline(lines, line) && line.starts_with('{')) {
+        const auto json = nlohmann::json::parse(line);
+        EXPECT_GE(json["done"], 0.0);
+        EXPECT_LE(json["done"], 1.0);
+        EXPECT_GE(json["seconds"], 0.0);
+        updates += json["stage"] == "rendering" ? 1 : 0;
+        if (json["stage"] == "rendering")
+            EXPECT_GT(json["samples"], 0);
+    }
+    EXPECT_GE(updates, 1) << result.errors;
+    // The summary names every file that holds the picture.
+    for (const char* name : {"/a.png, ", "/a.exr, ", "/a.film: "})
+        EXPECT_NE(line.find(name), std::string::npos) << line;
+}
+
+TEST_F(RenderTest, SaysWhenSamplesAreTooFewForTheError) {
+    const ProgramResult few =
+        runProgram({"render", scene_, "-o", folder_ / "a.png", "--spp", "64"});
+    EXPECT_NE(few.errors.find("% (too few samples to tell)"), std::string::npos) << few.errors;
+    const ProgramResult more =
+        runProgram({"render", scene_, "-o", folder_ / "a.png", "--spp", "128"});
+    EXPECT_EQ(more.errors.find("too few"), std::string::npos) << more.errors;
 }
 
 } // namespace

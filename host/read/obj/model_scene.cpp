@@ -12,7 +12,6 @@
 
 #include "base/error.h"
 #include "base/names.h"
-#include "base/number_text.h"
 #include "check/excess_energy.h"
 #include "check/radiance_range.h"
 #include "math/bounds.h"
@@ -94,7 +93,7 @@ void addToHash(const ViewOptions& view, ContentHash& hash) {
     const auto add = [&](const char* name, std::span<const double> numbers) {
         hash.add(name);
         for (const double number : numbers)
-            hash.add(shortNumber(number));
+            hash.add({reinterpret_cast<const char*>(&number), sizeof number});
     };
     const auto addPoint = [&](const char* name, const std::optional<glm::dvec3>& point) {
         if (point)
