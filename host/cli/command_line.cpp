@@ -135,8 +135,9 @@ CLI::App& addStudyCommand(CLI::App& app, StudyOptions& options) {
     addParsed(command, "--budget", options.budget, parseBudget,
               "Time for all of it: 90s, 5m (the default), 1h", "5m");
     command
-        .add_option("-o,--output", options.folder,
-                    "Folder for study.csv, study.svg and study.html (default: study-SCENE)")
+        .add_option(
+            "-o,--output", options.folder,
+            "Folder for study.csv, study.json, study.svg and study.html (default: study-SCENE)")
         ->type_name("DIR");
     addSettings(command, kStudyCommand, options.settings);
     addQuietFlag(command, options.quiet);

@@ -26,8 +26,10 @@
 #include "engine/devices.h"
 #include "engine/render_engine.h"
 #include "engine/scene_settings.h"
+#include "settings/setting_kinds.h"
 #include "study/advice.h"
 #include "study/csv.h"
+#include "study/json.h"
 #include "study/page.h"
 #include "study/plot.h"
 #include "study/study.h"
@@ -37,7 +39,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr const char* kFiles[] = {"study.csv", "study.svg", "study.html"};
+constexpr const char* kFiles[] = {"study.csv", "study.json", "study.svg", "study.html"};
 
 /// Throws OutputError if the folder cannot be made.
 std::filesystem::path makeFolder(const StudyOptions& options) {
@@ -90,6 +92,17 @@ std::string renderCommandOf(const StudyOptions& options) {
     std::string command = "calotype render " + shellWord(options.scene.path);
     for (const SceneOverride& override : options.scene.overrides)
         command += " --set " + shellWord(override.pointer + "=" + override.value);
+    const auto addPoint = [&](const char* name, const std::optional<glm::dvec3>& point) {
+        if (point)
+            command += std::string(" ") + name + " " + shortestText(point->x) + "," +
+                       shortestText(point->y) + "," + shortestText(point->z);
+    };
+    const ViewOptions& view = options.scene.view;
+    addPoint("--from", view.from);
+    addPoint("--look-at", view.lookAt);
+    addPoint("--up", view.up);
+    if (view.fov)
+        command += " --fov " + shortestText(*view.fov);
     if (options.scene.missingTextures == MissingTextures::Warn)
         command += " --missing-textures warn";
     if (const std::string settings = options.settings.options(); !settings.empty())
@@ -101,18 +114,19 @@ std::string renderCommandOf(const StudyOptions& options) {
     return command + " -o picture.exr";
 }
 
-void printChoices(const Study& study) {
+void printChoices(const Study& study, const std::string& command) {
     for (const Choice& choice : choicesOf(study)) {
         std::string text = targetText(choice.target) + " error: ";
         if (choice.measurement) {
             const std::string& options = choice.measurement->variant.options;
-            text +=
-                (options.empty() ? "the default" : options) + ", " + durationText(choice.seconds);
+            text += (options.empty() ? "the default" : options) + ", " +
+                    durationText(choice.seconds) + (choice.isExtrapolated ? " (extrapolated)" : "");
             if (study.scale > 1.0)
                 text +=
                     ", at the scene's own size about " + durationText(choice.seconds * study.scale);
             if (!options.empty() && choice.usual)
                 text += " (default settings: " + durationText(*choice.usual) + ")";
+            text += "\n  " + commandOf(choice, command);
         } else {
             text += "unknown: the time budget was too short";
         }
@@ -138,7 +152,7 @@ Study runOrClean(const std::filesystem::path& folder, std::optional<OutputClaims
 
 /// If one of the files cannot be written, the others are still written.
 void writeAll(const Study& study, const StudyOrigin& origin, const std::filesystem::path& folder) {
-    const std::string contents[] = {toCsv(study), toSvg(study, origin.scene),
+    const std::string contents[] = {toCsv(study), toJson(study, origin), toSvg(study, origin.scene),
                                     toHtml(study, origin)};
     OutputFailures failures;
     for (size_t i = 0; i < std::size(kFiles); ++i)
@@ -215,7 +229,7 @@ int studyCommand(const StudyOptions& options) {
         runOrClean(folder, claims, [&] { return runStudy(plan, prepare, observer); });
     progress.clear();
     writeAll(study, origin, folder);
-    printChoices(study);
+    printChoices(study, origin.command);
     std::printf("%s\n", (folder / "study.html").string().c_str());
     return reportGaps(study, folder);
 }

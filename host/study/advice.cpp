@@ -94,10 +94,17 @@ std::string sentenceOf(const Measurement& variant, const Measurement& usual, dou
     return text;
 }
 
+std::string commandOf(const Choice& choice, const std::string& command) {
+    const std::string options =
+        choice.measurement ? choice.measurement->variant.options : std::string();
+    return command + (options.empty() ? "" : " " + options) + " --target-error " +
+           shortNumber(choice.target);
+}
+
 std::vector<Choice> choicesOf(const Study& study) {
     std::vector<Choice> choices;
     for (const double target : kTargets) {
-        Choice choice{target, nullptr, 0.0, std::nullopt};
+        Choice choice{.target = target};
         for (const Measurement& measurement : study.measurements) {
             const auto floor = measurement.floor();
             if (!floor || *floor > 0.5 * target)
@@ -115,6 +122,7 @@ std::vector<Choice> choicesOf(const Study& study) {
             if (isUsual || (isBetter && *seconds <= most)) {
                 choice.measurement = &measurement;
                 choice.seconds = *seconds;
+                choice.isExtrapolated = !measurement.reaches(target);
             }
         }
         choices.push_back(choice);

@@ -27,10 +27,15 @@ struct Choice {
     double target = 0.0;
     const Measurement* measurement = nullptr; ///< null: no variant reaches the error
     double seconds = 0.0;                     ///< of sampling, in the study's size
+    bool isExtrapolated = false;              ///< the seconds: no render was so long
     std::optional<double> usual;              ///< seconds that the usual settings need
 };
 
 inline constexpr std::array kTargets = {0.05, 0.02, 0.01};
+
+/// The command that renders to the error of the choice by its settings. `command` renders the scene
+/// with the usual ones.
+std::string commandOf(const Choice& choice, const std::string& command);
 
 /// For each of kTargets: the usual settings unless another variant needs less time by more than
 /// Study::timingNoise, and the light that it loses is less than half of the error.

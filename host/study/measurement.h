@@ -42,9 +42,22 @@ struct Measurement {
     /// curve; beyond them, the part of the error above the floor falls with the square root of the
     /// time. None if the error is never reached, or nothing is known.
     std::optional<double> secondsTo(double target) const;
+
+    /// Whether the curve itself reaches this error, so that secondsTo is not extrapolated.
+    bool reaches(double target) const;
 };
 
-/// The points of all measurements that no other point beats in both time and error, by time.
-std::vector<CurvePoint> paretoFront(const std::vector<Measurement>& measurements);
+/// A time, above 0, and an error that is reached then.
+struct FrontPoint {
+    double seconds = 0.0;
+    double error = 0.0;
+};
+
+/// The points of the curve whose errors are known.
+std::vector<FrontPoint> knownPoints(const Measurement& measurement);
+
+/// The lower envelope of all curves, by time: at each time that was measured and at a few between,
+/// the smallest error so far, interpolated along the curves. Errors never grow along it.
+std::vector<FrontPoint> paretoFront(const std::vector<Measurement>& measurements);
 
 } // namespace calotype

@@ -163,16 +163,19 @@ private:
         const bool isSmaller = study_.scale > 1.0;
         std::string rows = "<tr><th>target error</th><th>settings</th><th>time</th>"
                            "<th>time with the default settings</th>";
+        std::string commands;
         rows += isSmaller ? "<th>time at the scene's own size</th></tr>\n" : "</tr>\n";
         for (const Choice& choice : choicesOf(study_)) {
             std::string row = tag("td", targetText(choice.target));
             if (choice.measurement) {
                 const std::string& options = choice.measurement->variant.options;
                 row += tag("td", options.empty() ? "the default" : optionCode(options)) +
-                       tag("td", durationText(choice.seconds)) +
+                       tag("td", durationText(choice.seconds) +
+                                     (choice.isExtrapolated ? ", extrapolated" : "")) +
                        tag("td", choice.usual ? durationText(*choice.usual) : "never");
                 if (isSmaller)
                     row += tag("td", durationText(choice.seconds * study_.scale));
+                commands += tag("li", code(commandOf(choice, origin_.command)));
             } else {
                 row += std::string("<td colspan=\"") + (isSmaller ? "4" : "3") +
                        "\">unknown: the time budget was too short</td>";
@@ -180,14 +183,11 @@ private:
             rows += tag("tr", row);
         }
         return tag("h2", "Recommended settings") + "<div class=\"wide\"><table>" + rows +
-               "</table></div>\n" +
+               "</table></div>\n" + (commands.empty() ? "" : tag("ul", commands)) +
                faint(
                    "Time of sampling until the picture has this error. Beyond the longest render "
                    "that was measured it is extrapolated: the error falls with the square root of "
-                   "the time. " +
-                   code(origin_.command + " --target-error 0.02") +
-                   " stops by itself, at the first doubling of the samples at which the error is "
-                   "reached.");
+                   "the time. The commands end when the error is reached.");
     }
 
     std::string plot() const {

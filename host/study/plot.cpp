@@ -91,14 +91,13 @@ std::string grid(const LogAxis& x, const LogAxis& y) {
     return svg;
 }
 
-std::string path(const std::vector<CurvePoint>& points, const LogAxis& x, const LogAxis& y,
+std::string path(const std::vector<FrontPoint>& points, const LogAxis& x, const LogAxis& y,
                  const std::string& attributes) {
     std::string data;
-    for (const CurvePoint& point : points)
-        if (point.error && point.seconds > 0.0) {
-            data += data.empty() ? 'M' : 'L';
-            data += coordinate(x.at(point.seconds)) + ' ' + coordinate(y.at(*point.error));
-        }
+    for (const FrontPoint& point : points) {
+        data += data.empty() ? 'M' : 'L';
+        data += coordinate(x.at(point.seconds)) + ' ' + coordinate(y.at(point.error));
+    }
     // "h0" ends the path with an empty line, so that round caps draw a single point as a dot.
     return data.empty() ? "" : "<path " + attributes + " d=\"" + data + "h0\"/>\n";
 }
@@ -126,11 +125,10 @@ std::string toSvg(const Study& study, const std::string& title) {
     LogAxis x(kLeft, kWidth - kRight);
     LogAxis y(kTop + kPlotHeight, kTop);
     for (const Measurement& measurement : study.measurements)
-        for (const CurvePoint& point : measurement.curve)
-            if (point.error && point.seconds > 0.0) {
-                x.take(point.seconds);
-                y.take(*point.error);
-            }
+        for (const FrontPoint& point : knownPoints(measurement)) {
+            x.take(point.seconds);
+            y.take(point.error);
+        }
     const auto rows = static_cast<double>(study.measurements.size() + 1); // and the front
     const std::string height = coordinate(kLegendTop + kLegendLine * rows);
     std::string svg =
@@ -154,7 +152,7 @@ std::string toSvg(const Study& study, const std::string& title) {
     svg += grid(x, y);
     svg += path(paretoFront(study.measurements), x, y, "class=\"front\"");
     for (size_t i = study.measurements.size(); i-- > 0;) // the default on top
-        svg += path(study.measurements[i].curve, x, y, strokeOf(study.measurements[i], i));
+        svg += path(knownPoints(study.measurements[i]), x, y, strokeOf(study.measurements[i], i));
     const auto legend = [&](size_t row, const std::string& attributes, const std::string& words) {
         const double middle = kLegendTop + kLegendLine * static_cast<double>(row) - 5.0;
         svg += "<path " + attributes + " d=\"M" + coordinate(kLeft) + " " + coordinate(middle) +

@@ -167,14 +167,14 @@ TEST_F(ModelSceneTest, IsSeenAsTheOptionsSay) {
     options.view.lookAt = glm::dvec3(3, 1, -5);
     options.view.up = glm::dvec3(2, 0, 0);
     options.view.fov = 60.0;
-    const Camera camera = loadScene(path, options).camera;
+    const Camera camera = loadScene(path, options)->camera;
     EXPECT_NEAR(glm::length(camera.forward - glm::dvec3(0, 0, -1)), 0.0, 1e-12);
     EXPECT_NEAR(glm::length(camera.up - glm::dvec3(1, 0, 0)), 0.0, 1e-12);
     EXPECT_NEAR(camera.verticalFov, 3.14159265358979 / 3.0, 1e-12);
     EXPECT_NEAR(camera.focusDistance, 5.0, 1e-12);
     options.view = {};
     options.view.lookAt = glm::dvec3(0, 2, 0);
-    const Camera moved = loadScene(path, options).camera;
+    const Camera moved = loadScene(path, options)->camera;
     EXPECT_NEAR(glm::length(moved.position - usual.camera.position - glm::dvec3(0, 1, 0)), 0.0,
                 0.2); // framing moves a camera a little
     EXPECT_NEAR(glm::length(glm::cross(moved.forward, glm::dvec3(0, 2, 0) - moved.position)), 0.0,

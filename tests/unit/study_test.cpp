@@ -60,17 +60,42 @@ TEST(StudyMeasurementTest, NothingIsKnownWithoutErrors) {
 TEST(StudyMeasurementTest, NothingBeatsTheFront) {
     const std::vector<Measurement> all = {madeUp("usual", 1.0, 10.0),
                                           madeUp("dark", 0.3, 10.0, 0.2), madeUp("slow", 1.0, 3.0)};
-    const std::vector<CurvePoint> front = paretoFront(all);
+    const std::vector<FrontPoint> front = paretoFront(all);
     ASSERT_GT(front.size(), 4u);
     for (const Measurement& measurement : all)
         for (const CurvePoint& point : measurement.curve)
-            EXPECT_TRUE(std::ranges::any_of(front, [&](const CurvePoint& best) {
-                return best.seconds <= point.seconds && *best.error <= *point.error;
+            EXPECT_TRUE(std::ranges::any_of(front, [&](const FrontPoint& best) {
+                return best.seconds <= point.seconds && best.error <= *point.error;
             }));
-    for (const CurvePoint& best : front)
-        for (const CurvePoint& other : front)
-            EXPECT_FALSE(other.seconds < best.seconds && *other.error < *best.error);
-    EXPECT_EQ(front.front().error, all[1].curve.front().error) << "dark but soon";
+    for (size_t i = 1; i < front.size(); ++i) {
+        EXPECT_GE(front[i].seconds, front[i - 1].seconds);
+        EXPECT_LE(front[i].error, front[i - 1].error);
+    }
+    EXPECT_EQ(front.front().error, *all[1].curve.front().error) << "dark but soon";
+}
+
+// Between its points the front of one curve is the curve: error = seconds^(-1/2) here.
+TEST(StudyMeasurementTest, TheFrontRunsAlongTheCurves) {
+    Measurement only = madeUp("usual", 1.0, 10.0);
+    for (CurvePoint& point : only.curve)
+        point.error = 1.0 / std::sqrt(point.seconds);
+    const std::vector<FrontPoint> front = paretoFront({only});
+    ASSERT_GT(front.size(), 3 * only.curve.size());
+    for (const FrontPoint& point : front)
+        EXPECT_NEAR(point.error * std::sqrt(point.seconds), 1.0, 1e-9);
+}
+
+TEST(StudyAdviceTest, GivesTheCommandOfTheChoice) {
+    Study study;
+    study.measurements = {madeUp("usual", 1.0, 10.0), madeUp("quick", 0.1, 10.0)};
+    study.measurements[1].variant.options = "--adaptive";
+    const Choice choice = choicesOf(study)[1];
+    EXPECT_EQ(commandOf(choice, "calotype render a.json -o a.exr"),
+              "calotype render a.json -o a.exr --adaptive --target-error 0.02");
+    // The time of a smaller error than any that was measured is extrapolated.
+    const double reached = *study.measurements[1].last().error;
+    for (const Choice& one : choicesOf(study))
+        EXPECT_EQ(one.isExtrapolated, one.target < reached) << one.target;
 }
 
 TEST(StudyAdviceTest, ComparesWithTheUsual) {
