@@ -29,8 +29,10 @@ struct BenchScene {
 
 LoadedScene load(const std::string& path, const BenchOptions& options,
                  const DeviceOptions& device) {
-    return readScene({path, options.overrides}, {}, device,
-                     [](const std::string&, double) { throwIfInterrupted(); });
+    SceneOptions scene;
+    scene.path = path;
+    scene.overrides = options.overrides;
+    return readScene(scene, {}, device, [](const std::string&, double) { throwIfInterrupted(); });
 }
 
 std::vector<BenchScene> scenesOf(const BenchOptions& options, const DeviceOptions& device) {

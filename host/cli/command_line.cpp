@@ -1,10 +1,12 @@
 #include "cli/command_line.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <functional>
 #include <new>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -179,14 +181,20 @@ CLI::App& addBenchCommand(CLI::App& app, BenchOptions& options) {
     return command;
 }
 
-/// Prints what `calotype COMMAND --help` prints; without a command, `calotype --help`.
-int printHelp(const CLI::App& app, const std::string& command) {
-    const auto commands =
-        app.get_subcommands([&](const CLI::App* other) { return other->get_name() == command; });
-    if (!command.empty() && commands.empty())
-        throw UsageError(unknownCommandSentence(app, command));
-    std::fputs(commands.empty() ? app.help().c_str() : commands.front()->help().c_str(), stdout);
-    return std::fflush(stdout) == 0 ? kExitDone : kExitOther;
+/// The words of the command line; "help render" as "render --help". Throws UsageError if there is
+/// no such command.
+std::vector<std::string> wordsOf(int argc, char** argv, const CLI::App& app) {
+    std::vector<std::string> words(argv + 1, argv + argc);
+    if (words.empty() || words.front() != "help")
+        return words;
+    words.erase(words.begin());
+    const auto isNamed = [&](const CLI::App* command) {
+        return command->get_name() == words.front();
+    };
+    if (!words.empty() && app.get_subcommands(isNamed).empty())
+        throw UsageError(unknownCommandSentence(app, words.front()));
+    words.push_back("--help");
+    return words;
 }
 
 int parseAndRun(int argc, char** argv) {
@@ -220,14 +228,16 @@ int parseAndRun(int argc, char** argv) {
     CLI::App& schema =
         *app.add_subcommand("schema", "Print the JSON Schema of scene files, for editors");
     schema.footer("Example: calotype schema > scene.schema.json");
-    std::string helpCommand;
     CLI::App& help = *app.add_subcommand("help", "Print the help of a command, or of all");
-    help.add_option("command", helpCommand, "The command")->type_name("COMMAND");
+    std::string unused; // wordsOf has replaced this command
+    help.add_option("command", unused, "The command")->type_name("COMMAND");
     help.footer("Example: calotype help render");
     // Commands that are added later would have it, too.
     app.footer("Example: calotype render scenes/cornell-box.json -o box.png");
     try {
-        app.parse(argc, argv);
+        std::vector<std::string> words = wordsOf(argc, argv, app);
+        std::ranges::reverse(words); // as CLI11 takes them
+        app.parse(std::move(words));
     } catch (const CLI::Success& success) { // --help, --version
         return app.exit(success);
     } catch (const CLI::ParseError& error) {
@@ -239,8 +249,6 @@ int parseAndRun(int argc, char** argv) {
     }
     if (app.get_subcommands().empty())
         throw UsageError(noCommandSentence());
-    if (help.parsed())
-        return printHelp(app, helpCommand);
     if (render.parsed())
         return renderCommand(renderOptions);
     const int code = info.parsed()      ? infoCommand(infoOptions)

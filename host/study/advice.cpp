@@ -104,7 +104,8 @@ std::string commandOf(const Choice& choice, const std::string& command) {
 std::vector<Choice> choicesOf(const Study& study) {
     std::vector<Choice> choices;
     for (const double target : kTargets) {
-        Choice choice{.target = target};
+        Choice choice;
+        choice.target = target;
         for (const Measurement& measurement : study.measurements) {
             const auto floor = measurement.floor();
             if (!floor || *floor > 0.5 * target)

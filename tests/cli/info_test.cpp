@@ -88,7 +88,8 @@ TEST_F(InfoTest, PrintsJson) {
 // A scene may come through a pipe; its files are then relative to the working folder.
 TEST_F(InfoTest, ReadsASceneFromStandardInput) {
     ProgramOptions options;
-    options.input = R"({ "camera": {}, "shapes": [{ "type": "sphere", "radius": 1 }] })";
+    options.input = R"({ "camera": {}, "materials": { "m": { "type": "diffuse", "color": 1 } },
+        "shapes": [{ "type": "sphere", "radius": 1, "material": "m" }] })";
     const ProgramResult result = runProgram({"info", "-"}, options);
     EXPECT_EQ(result.exitCode, 0) << result.errors;
     EXPECT_NE(result.output.find("shapes      1"), std::string::npos) << result.output;

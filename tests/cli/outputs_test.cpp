@@ -116,7 +116,7 @@ TEST_F(OutputsTest, TwoProcessesDoNotWriteOneFile) {
         isTried = true;
         for (const char* name : {"a.film", "link.film"})
             expectFailure(runProgram(render({"--film", folder_ / name})), 7,
-                          "/" + std::string(name) + "' is being written by process " +
+                          std::string(name).append("' is being written by process ") +
                               std::to_string(pid));
         const std::string picture = folder_ / "a.png";
         expectFailure(runProgram(render({"-o", picture})), 7, "a.png' is being written by");

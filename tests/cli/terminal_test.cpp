@@ -46,9 +46,9 @@ protected:
 };
 
 TEST_F(TerminalTest, BarsFitIntoOneLine) {
-    for (const uint16_t columns : {132, 60, 20, 1}) {
+    for (const int columns : {132, 60, 20, 1}) {
         ProgramOptions options;
-        options.columns = columns;
+        options.columns = static_cast<uint16_t>(columns);
         const std::string bar = longestBar(shownOn(options));
         EXPECT_GT(bar.size(), 0u) << columns;
         EXPECT_LT(bar.size(), std::max<size_t>(columns, 2)) << columns << ": " << bar;

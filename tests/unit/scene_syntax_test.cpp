@@ -36,10 +36,10 @@ TEST(SceneSyntaxTest, NamesLineAndColumn) {
 TEST(SceneSyntaxTest, SaysThatACommaIsTooMany) {
     const std::string words = "there is a comma after the last value; remove it";
     expectError(errorOfText("{\"camera\": {},}"), "scene.json:1:14", words);
-    expectError(errorOfText("{\"camera\": {\"up\": [0, 1, 0,\n ]}}"), "scene.json:1:29", words);
+    expectError(errorOfText("{\"camera\": {\"up\": [0, 1, 0,\n ]}}"), "scene.json:1:27", words);
     expectError(errorOfText("{\"camera\": {}, // \"}\n/* , */ }"), "scene.json:1:14", words);
     expectError(errorOfText("{\"a\": \",\"]"), "scene.json:1:10", "syntax error");
-    expectError(errorOfText("{\"a\": 1 /*,*/ ]"), "scene.json:1:16", "syntax error");
+    expectError(errorOfText("{\"a\": 1 /*,*/ ]"), "scene.json:1:15", "syntax error");
 }
 
 TEST(SceneSyntaxTest, SaysWhatAFileIsInstead) {

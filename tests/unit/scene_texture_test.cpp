@@ -151,13 +151,12 @@ TEST_F(SceneTextureTest, ManyUnreadableFilesAreCounted) {
     LoadOptions options;
     options.missingTextures = MissingTextures::Warn;
     const auto warnings = files_.load(scene, options).warnings;
-    EXPECT_EQ(std::ranges::count_if(
-                  warnings, [](const auto& w) { return w.find("no image file") != w.npos; }),
-              4);
+    const auto ofFiles = std::ranges::find_if(
+        warnings, [](const auto& w) { return w.find("no image file") != w.npos; });
+    ASSERT_NE(ofFiles, warnings.end());
+    EXPECT_NE(ofFiles->find("29 more"), ofFiles->npos) << *ofFiles;
     EXPECT_EQ(std::ranges::count_if(warnings,
-                                    [](const auto& w) {
-                                        return w.find("cannot read 26 more image files") != w.npos;
-                                    }),
+                                    [](const auto& w) { return w.find("image file") != w.npos; }),
               1);
 }
 
