@@ -206,12 +206,13 @@ private:
     bool renamed_ = false;
 };
 
-void writeToDeviceOrPipe(const fs::path& path, std::string_view bytes) {
+void writeToDeviceOrPipe(const fs::path& path, std::span<const std::string_view> pieces) {
     const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
     if (descriptor < 0)
         fail(path, "it cannot be opened", errno, "write elsewhere");
     OutputDescriptor output(path, descriptor);
-    output.write(bytes);
+    for (const std::string_view piece : pieces)
+        output.write(piece);
     output.close();
 }
 
@@ -246,11 +247,16 @@ void removeLeftovers(const fs::path& target) {
 }
 
 void writeFileAtomically(const fs::path& path, std::string_view bytes) {
+    writeFileAtomically(path, std::span(&bytes, 1));
+}
+
+void writeFileAtomically(const fs::path& path, std::span<const std::string_view> pieces) {
     const fs::path target = followLinks(path);
     if (inspectTarget(target) == Target::DeviceOrPipe)
-        return writeToDeviceOrPipe(target, bytes);
+        return writeToDeviceOrPipe(target, pieces);
     TemporaryFile file(target);
-    file.write(bytes);
+    for (const std::string_view piece : pieces)
+        file.write(piece);
     file.replaceTarget();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -13,6 +14,10 @@ namespace calotype {
 /// the rights of the group. On failure, throws OutputError with the path and the system's
 /// reason, an existing file is unchanged, and no temporary file is left.
 void writeFileAtomically(const std::filesystem::path& path, std::string_view bytes);
+
+/// The same with the bytes in pieces, one after the other.
+void writeFileAtomically(const std::filesystem::path& path,
+                         std::span<const std::string_view> pieces);
 
 /// Throws the OutputError that writeFileAtomically would throw before its first byte: a missing or
 /// unwritable folder, a folder or a write-protected file as target. Leaves no file, and does not

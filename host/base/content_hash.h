@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <span>
 #include <string_view>
 
 namespace calotype {
@@ -11,15 +13,30 @@ namespace calotype {
 class ContentHash {
 public:
     /// Boundaries of texts count: "ab", "c" differs from "a", "bc".
-    void add(std::string_view text) {
-        addWord(text.size());
-        while (!text.empty()) {
-            uint64_t word = 0;
-            const size_t count = text.size() < sizeof word ? text.size() : sizeof word;
-            std::memcpy(&word, text.data(), count);
+    void add(std::string_view text) { add(std::span(&text, 1)); }
+
+    /// Adds the text that the pieces make together, without joining them.
+    void add(std::span<const std::string_view> pieces) {
+        uint64_t size = 0;
+        for (const std::string_view piece : pieces)
+            size += piece.size();
+        addWord(size);
+        uint64_t word = 0;
+        size_t filled = 0; // bytes of the word
+        for (std::string_view piece : pieces)
+            while (!piece.empty()) {
+                const size_t count = std::min(piece.size(), sizeof word - filled);
+                std::memcpy(reinterpret_cast<char*>(&word) + filled, piece.data(), count);
+                piece.remove_prefix(count);
+                filled += count;
+                if (filled == sizeof word) {
+                    addWord(word);
+                    word = 0;
+                    filled = 0;
+                }
+            }
+        if (filled > 0)
             addWord(word);
-            text.remove_prefix(count);
-        }
     }
 
     uint64_t value() const { return state_; }

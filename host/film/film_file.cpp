@@ -60,9 +60,10 @@ uint64_t littleEndian64(std::string_view bytes, size_t at) {
     return littleEndian32(bytes, at) | uint64_t{littleEndian32(bytes, at + 4)} << 32;
 }
 
-uint64_t checksumOf(std::string_view bytes) {
+/// Of the pieces together.
+uint64_t checksumOf(std::span<const std::string_view> pieces) {
     ContentHash hash;
-    hash.add(bytes);
+    hash.add(pieces);
     return hash.value();
 }
 
@@ -258,14 +259,15 @@ void writeFilm(const std::filesystem::path& path, const FilmLabel& label, const 
     parallelFor(0, chunks.size(), allCores(),
                 [&](uint64_t i, uint32_t) { compressed[i] = compress(chunks[i]); });
     const std::string description = describe(label, film, compressed).dump();
-    std::string contents = description;
-    for (const std::string& chunk : compressed)
-        contents += chunk;
-    std::string bytes(kMagic);
-    append(bytes, hasOtherChannels(film) ? kVersionWithChannels : kVersion);
-    append(bytes, static_cast<uint32_t>(description.size()));
-    append(bytes, checksumOf(contents));
-    writeFileAtomically(path, bytes + contents);
+    // In pieces, since the chunks of a large picture take hundreds of megabytes.
+    std::vector<std::string_view> pieces = {"", description};
+    pieces.insert(pieces.end(), compressed.begin(), compressed.end());
+    std::string start(kMagic);
+    append(start, hasOtherChannels(film) ? kVersionWithChannels : kVersion);
+    append(start, static_cast<uint32_t>(description.size()));
+    append(start, checksumOf(std::span(pieces).subspan(1)));
+    pieces.front() = start;
+    writeFileAtomically(path, pieces);
 }
 
 KeptFilm readFilm(const std::filesystem::path& path) {
@@ -282,7 +284,7 @@ KeptFilm readFilm(const std::filesystem::path& path) {
                                    " and " + std::to_string(kVersionWithChannels));
     const std::string_view contents = all.substr(kDescriptionAt);
     const uint32_t descriptionBytes = littleEndian32(all, 12);
-    if (checksumOf(contents) != littleEndian64(all, 16) || descriptionBytes > contents.size())
+    if (checksumOf({&contents, 1}) != littleEndian64(all, 16) || descriptionBytes > contents.size())
         throw SceneError(name, "the film is damaged: its checksum is not that of its contents");
     try {
         return readParts(Json::parse(contents.substr(0, descriptionBytes)),
