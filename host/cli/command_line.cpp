@@ -185,7 +185,8 @@ CLI::App& addBenchCommand(CLI::App& app, BenchOptions& options) {
 /// no such command.
 std::vector<std::string> wordsOf(int argc, char** argv, const CLI::App& app) {
     std::vector<std::string> words(argv + 1, argv + argc);
-    if (words.empty() || words.front() != "help")
+    const bool hasOption = words.size() > 1 && words[1].starts_with('-'); // help --help
+    if (words.empty() || words.front() != "help" || hasOption)
         return words;
     words.erase(words.begin());
     const auto isNamed = [&](const CLI::App* command) {

@@ -78,19 +78,25 @@ void forEachChunk(Sums& sums, const Use& use) {
     cut(std::span(sums.luminances));
 }
 
-std::string compress(std::span<const FixedPoint> numbers) {
-    std::string planes(numbers.size() * kNumberBytes, '\0');
+/// Memory of one thread that all of its chunks use, so that the heap is not cut into pieces.
+struct Scratch {
+    std::string planes;
+    std::string compressed;
+};
+
+std::string compress(std::span<const FixedPoint> numbers, Scratch& scratch) {
+    auto& [planes, compressed] = scratch;
+    planes.resize(numbers.size() * kNumberBytes);
     for (size_t i = 0; i < numbers.size(); ++i)
         for (size_t byte = 0; byte < kNumberBytes; ++byte)
             planes[byte * numbers.size() + i] = static_cast<char>(numbers[i] >> 8 * byte);
     uLongf size = compressBound(planes.size());
-    std::string compressed(size, '\0');
+    compressed.resize(size);
     const int result =
         compress2(reinterpret_cast<Bytef*>(compressed.data()), &size,
                   reinterpret_cast<const Bytef*>(planes.data()), planes.size(), Z_BEST_SPEED);
     CALOTYPE_CHECK_EQ(result, Z_OK);
-    compressed.resize(size);
-    return compressed;
+    return compressed.substr(0, size);
 }
 
 /// False where the bytes do not hold that many numbers.
@@ -256,8 +262,10 @@ void writeFilm(const std::filesystem::path& path, const FilmLabel& label, const 
     forEachChunk(film.sums(),
                  [&](std::span<const FixedPoint> numbers) { chunks.push_back(numbers); });
     std::vector<std::string> compressed(chunks.size());
-    parallelFor(0, chunks.size(), allCores(),
-                [&](uint64_t i, uint32_t) { compressed[i] = compress(chunks[i]); });
+    std::vector<Scratch> scratch(allCores());
+    parallelFor(0, chunks.size(), allCores(), [&](uint64_t i, uint32_t thread) {
+        compressed[i] = compress(chunks[i], scratch[thread]);
+    });
     const std::string description = describe(label, film, compressed).dump();
     // In pieces, since the chunks of a large picture take hundreds of megabytes.
     std::vector<std::string_view> pieces = {"", description};
