@@ -1,90 +1,72 @@
 #include "read/framed_points.h"
 
 #include <algorithm>
-#include <numeric>
+#include <functional>
 
 #include <glm/geometric.hpp>
 
+#include "check/closed_parts.h"
 #include "math/bounds.h"
 
 namespace calotype {
 namespace {
 
-/// A part is left out if it is more than this many times larger than all smaller ones together.
-constexpr double kMostTimesLarger = 8.0;
+/// Parts count as many times larger beyond this factor.
+constexpr double kManyTimes = 8.0;
 
-/// Triangles that share corners, directly or through others.
-struct Part {
-    Bounds3d bounds;
-    size_t triangles = 0;
-};
+/// A part is flat if its extent along an axis is a smaller share of its diagonal.
+constexpr double kFlatShare = 0.01;
 
 double diagonalOf(const Bounds3d& bounds) {
     return bounds.isEmpty() ? 0.0 : glm::length(bounds.extent());
 }
 
-/// For each position, the least position of its part (union-find).
-std::vector<uint32_t> partsOf(const Mesh& mesh) {
-    std::vector<uint32_t> root(mesh.positions.size());
-    std::iota(root.begin(), root.end(), 0u);
-    const auto find = [&](uint32_t i) {
-        while (root[i] != i)
-            i = root[i] = root[root[i]];
-        return i;
-    };
+bool isFlat(const Bounds3d& bounds) {
+    const glm::dvec3 extent = bounds.extent();
+    return std::min({extent.x, extent.y, extent.z}) < kFlatShare * diagonalOf(bounds);
+}
+
+std::vector<MeshPart> largestFirst(const Mesh& mesh) {
+    uint32_t materials = 0;
     for (const Mesh::Triangle& triangle : mesh.triangles)
-        for (int corner = 1; corner < 3; ++corner) {
-            const uint32_t a = find(triangle.position[0]);
-            const uint32_t b = find(triangle.position[corner]);
-            root[std::max(a, b)] = std::min(a, b);
-        }
-    for (uint32_t i = 0; i < root.size(); ++i)
-        root[i] = find(i);
-    return root;
+        materials = std::max(materials, triangle.material + 1);
+    std::vector<MeshPart> parts = partsOf(mesh, std::vector<bool>(materials, true));
+    std::ranges::sort(parts, std::greater(),
+                      [](const MeshPart& part) { return diagonalOf(part.bounds); });
+    return parts;
 }
 
 } // namespace
 
 FramedPoints framedPoints(const Mesh& mesh) {
-    const std::vector<uint32_t> partOf = partsOf(mesh);
-    std::vector<Part> parts(mesh.positions.size()); // most are empty
-    for (size_t i = 0; i < mesh.positions.size(); ++i)
-        parts[partOf[i]].bounds.extend(mesh.positions[i]);
-    for (const Mesh::Triangle& triangle : mesh.triangles)
-        ++parts[partOf[triangle.position[0]]].triangles;
-
-    // The parts with triangles, the largest first, and the bounds of each with all smaller ones.
-    std::vector<uint32_t> order;
-    for (uint32_t i = 0; i < parts.size(); ++i)
-        if (parts[i].triangles > 0)
-            order.push_back(i);
-    std::ranges::sort(order, std::greater(),
-                      [&](uint32_t i) { return diagonalOf(parts[i].bounds); });
-    std::vector<Bounds3d> fromHere(order.size() + 1);
-    for (size_t k = order.size(); k-- > 0;) {
+    const std::vector<MeshPart> parts = largestFirst(mesh);
+    std::vector<Bounds3d> fromHere(parts.size() + 1); // bounds of each part and all smaller ones
+    for (size_t k = parts.size(); k-- > 0;) {
         fromHere[k] = fromHere[k + 1];
-        fromHere[k].extend(parts[order[k]].bounds);
+        fromHere[k].extend(parts[k].bounds);
     }
-
-    // Leave out the first parts, which must hold less than half of the triangles.
+    // The first part that is many times larger than all smaller ones, and whether it and those
+    // before it are left out.
     FramedPoints framed;
-    std::vector<bool> isLeftOut(parts.size(), false);
+    size_t firstShown = 0;
     size_t triangles = 0;
-    for (size_t k = 0; k + 1 < order.size(); ++k) {
-        triangles += parts[order[k]].triangles;
-        if (2 * triangles >= mesh.triangles.size())
-            break;
+    bool areFlat = true;
+    for (size_t k = 0; k + 1 < parts.size(); ++k) {
+        triangles += parts[k].triangles.size();
+        areFlat = areFlat && isFlat(parts[k].bounds);
         const double rest = diagonalOf(fromHere[k + 1]);
-        if (diagonalOf(parts[order[k]].bounds) <= kMostTimesLarger * rest || rest == 0.0)
+        if (rest == 0.0 || diagonalOf(parts[k].bounds) <= kManyTimes * rest)
             continue;
-        for (size_t left = 0; left <= k; ++left)
-            isLeftOut[order[left]] = true;
-        framed.scaleOfTheRest = diagonalOf(parts[order[0]].bounds) / rest;
+        framed.ratio = diagonalOf(parts[0].bounds) / rest;
+        framed.leavesOutLargest =
+            !isFlat(fromHere[k + 1]) && (areFlat || 2 * triangles < mesh.triangles.size());
+        firstShown = framed.leavesOutLargest ? k + 1 : 0;
         break;
     }
-    for (size_t i = 0; i < mesh.positions.size(); ++i)
-        if (!isLeftOut[partOf[i]] && parts[partOf[i]].triangles > 0)
-            framed.points.push_back(mesh.positions[i]);
+    for (size_t k = firstShown; k < parts.size(); ++k)
+        for (const uint32_t index : parts[k].triangles)
+            for (const uint32_t corner : mesh.triangles[index].position)
+                framed.points.push_back(mesh.positions[corner]);
     return framed;
 }
 

@@ -118,14 +118,24 @@ Shape readModel(const std::string& path, ReadContext& context) {
     return {.geometry = buildObjMesh(*obj, input, context), .place = path, .file = path};
 }
 
-/// Turns the camera to look along `view`. Throws SceneError if that is nowhere, or along `up`.
-void turnCamera(Camera& camera, const glm::dvec3& view, const glm::dvec3& up) {
-    if (glm::length(view) == 0.0)
-        throw SceneError("--look-at", "is the camera's position too, so that it looks nowhere");
-    camera.forward = glm::normalize(view);
-    const glm::dvec3 right = glm::cross(camera.forward, glm::normalize(up));
+/// Turns the camera to look along `view`. Throws SceneError, at the option that was given, if that
+/// is no direction, or along `up`.
+void turnCamera(Camera& camera, const glm::dvec3& view, const ViewOptions& options) {
+    const double distance = glm::length(view);
+    if (!(distance > 0.0 && std::isfinite(distance)))
+        throw SceneError(options.lookAt ? "--look-at" : "--from",
+                         "the camera and the point that it looks at must be different, and not "
+                         "farther apart than finite numbers reach");
+    camera.forward = view / distance;
+    const glm::dvec3 up = options.up.value_or(glm::dvec3(0.0, 1.0, 0.0));
+    const double upLength = glm::length(up);
+    if (!(upLength > 0.0 && std::isfinite(upLength)))
+        throw SceneError("--up", "must be a direction, so not zero");
+    const glm::dvec3 right = glm::cross(camera.forward, up / upLength);
     if (!(glm::length(right) > kParallelSine))
-        throw SceneError("--up", "is parallel to the direction of view; choose another");
+        throw SceneError(options.up ? "--up" : "--from",
+                         "the direction of view is parallel to the one that is up in the picture; "
+                         "choose another with --up");
     camera.right = glm::normalize(right);
     camera.up = glm::cross(camera.right, camera.forward);
 }
@@ -135,29 +145,29 @@ Camera placeCamera(const std::vector<glm::dvec3>& points, const ModelExtent& ext
                    const ViewOptions& view) {
     Camera camera;
     camera.verticalFov = view.fov ? *view.fov * kDegrees : kFieldOfView;
-    const glm::dvec3 up = view.up.value_or(glm::dvec3(0.0, 1.0, 0.0));
     const glm::dvec3 target = view.lookAt.value_or(extent.center);
     if (view.from) {
         camera.position = *view.from;
         camera.focusDistance = glm::length(target - *view.from);
-        turnCamera(camera, target - *view.from, up);
+        turnCamera(camera, target - *view.from, view);
         return camera;
     }
-    turnCamera(camera, -directionAt(kCameraAzimuth, kCameraElevation), up);
+    turnCamera(camera, -directionAt(kCameraAzimuth, kCameraElevation), view);
     frameCamera(camera, points, kShareOfPicture, extent.radius, extent.center);
     if (view.lookAt)
         camera.position = target - camera.focusDistance * camera.forward;
     return camera;
 }
 
-/// What is left out of the picture is said.
+/// Warns if a part is many times larger than all others.
 std::vector<glm::dvec3> pointsToShow(const Mesh& mesh, const std::string& path,
                                      ReadContext& context) {
     FramedPoints framed = framedPoints(mesh);
-    if (framed.scaleOfTheRest > 1.0)
-        context.warn(path, "a part of the model is " + twoDigits(framed.scaleOfTheRest) +
-                               " times larger than all that is on or in it, which is what the "
-                               "picture shows; --from and --look-at choose another view");
+    if (framed.ratio > 1.0)
+        context.warn(path, "a part of the model is " + twoDigits(framed.ratio) +
+                               " times larger than all others; the picture shows " +
+                               (framed.leavesOutLargest ? "the others" : "all of it") +
+                               "; --from and --look-at choose another view");
     return std::move(framed.points);
 }
 
