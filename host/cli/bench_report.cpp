@@ -76,7 +76,7 @@ std::string toJsonLine(const std::string& scene, const BenchReport& report, uint
         {"first_pass", report.firstPassSeconds}, {"first_sample", report.seconds.firstSample}};
     json["device_memory_bytes"] = report.deviceBytes;
     json["peak_memory_bytes"] = peakMemoryBytes();
-    return json.dump() + "\n";
+    return jsonText(json, -1);
 }
 
 } // namespace calotype

@@ -181,6 +181,13 @@ CLI::App& addBenchCommand(CLI::App& app, BenchOptions& options) {
     return command;
 }
 
+/// The exit code, if all of standard output was written. Throws OutputError if not.
+int flushed(int code) {
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+        throw OutputError("cannot write to standard output");
+    return code;
+}
+
 /// The words of the command line; "help render" as "render --help". Throws UsageError if there is
 /// no such command.
 std::vector<std::string> wordsOf(int argc, char** argv, const CLI::App& app) {
@@ -240,13 +247,14 @@ int parseAndRun(int argc, char** argv) {
         std::ranges::reverse(words); // as CLI11 takes them
         app.parse(std::move(words));
     } catch (const CLI::Success& success) { // --help, --version
-        return app.exit(success);
+        app.exit(success);
+        return flushed(kExitDone);
     } catch (const CLI::ParseError& error) {
         throw UsageError(sentenceOf(app, error));
     }
     if (wantsMarkdown) {
         std::fputs(markdownHelp(app).c_str(), stdout);
-        return std::fflush(stdout) == 0 ? kExitDone : kExitOther;
+        return flushed(kExitDone);
     }
     if (app.get_subcommands().empty())
         throw UsageError(noCommandSentence());
@@ -259,9 +267,7 @@ int parseAndRun(int argc, char** argv) {
                      : bench.parsed()   ? benchCommand(benchOptions)
                      : schema.parsed()  ? schemaCommand()
                                         : devicesCommand(devicesOptions);
-    if (std::fflush(stdout) != 0)
-        throw OutputError("cannot write to standard output");
-    return code;
+    return flushed(code);
 }
 
 } // namespace

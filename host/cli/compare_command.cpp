@@ -90,7 +90,7 @@ void printJson(const CompareOptions& options, const Image& a, const Image& b,
                        {"y", largest.y},
                        {"channel", largest.channel}};
     json["left_out_pixels"] = difference.leftOut;
-    std::printf("%s\n", json.dump(2).c_str());
+    std::fputs(jsonText(json).c_str(), stdout);
 }
 
 void print(const CompareOptions& options, const Image& a, const Image& b,

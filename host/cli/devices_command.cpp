@@ -34,7 +34,7 @@ void printJson(const std::vector<DeviceInfo>& devices, const DeviceChoice& choic
         json["devices"].push_back(toJson(device));
     json["chosen"] = choice.index;
     json["reason"] = choice.reason;
-    std::printf("%s\n", json.dump(2).c_str());
+    std::fputs(jsonText(json).c_str(), stdout);
 }
 
 void print(const DeviceInfo& device) {

@@ -9,6 +9,7 @@
 #include "cli/exit_code.h"
 #include "cli/trust_text.h"
 #include "engine/film_json.h"
+#include "engine/json_document.h"
 #include "film/error_estimate.h"
 #include "film/film_file.h"
 
@@ -42,7 +43,7 @@ void print(const KeptFilm& kept) {
 int filmInfoCommand(const InfoOptions& options) {
     const KeptFilm kept = readFilm(options.scene.path);
     if (options.asJson)
-        std::printf("%s\n", filmJson(kept).dump(2).c_str());
+        std::fputs(jsonText(filmJson(kept)).c_str(), stdout);
     else
         print(kept);
     return kExitDone;

@@ -96,7 +96,7 @@ void printJson(const Scene& scene, const SceneSummary& summary, const DeviceFit&
                             {"picture", fit.pictureBytes}, {"largest_buffer", summary.largestBytes},
                             {"device", fit.memoryBytes},   {"buffer_limit", fit.bufferBytes}};
     json["warnings"] = scene.warnings;
-    std::printf("%s\n", json.dump(2).c_str());
+    std::fputs(jsonText(json).c_str(), stdout);
 }
 
 } // namespace

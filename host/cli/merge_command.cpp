@@ -10,6 +10,7 @@
 #include "cli/interrupt.h"
 #include "engine/exr_metadata.h"
 #include "engine/film_json.h"
+#include "engine/json_document.h"
 #include "engine/merge_films.h"
 #include "film/develop.h"
 #include "film/film_file.h"
@@ -55,7 +56,7 @@ int mergeCommand(const MergeOptions& options) {
     const KeptFilm joined = mergeFilms(options.films, [] { throwIfInterrupted(kInterrupted); });
     throwIfInterrupted(kInterrupted);
     if (options.asJson)
-        std::printf("%s\n", filmJson(joined).dump(2).c_str());
+        std::fputs(jsonText(filmJson(joined)).c_str(), stdout);
     else
         printSamples(joined.film);
     if (options.required && !holdsRequired(joined.film, *options.required))

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <regex>
 
 #include "base/atomic_file.h"
 #include "base/error.h"
@@ -22,14 +23,10 @@ bool isEmptyFile(const std::string& path) {
                      (input == output ? "" : ", as '" + input + "'") + "; write to another file");
 }
 
-/// "frame.%04d.png" and "frame.####.png".
+/// "frame.%04d.png", "frame.####.png" and "frame.$F4.png".
 bool numbersFrames(const std::string& path) {
-    const std::string name = std::filesystem::path(path).filename().string();
-    if (name.find("##") != std::string::npos)
-        return true;
-    const size_t percent = name.find('%');
-    const size_t end = name.find_first_not_of("0123456789", percent + 1);
-    return percent != std::string::npos && end != std::string::npos && name[end] == 'd';
+    static const std::regex number(R"(%(0\d+)?d|##|\$F)");
+    return std::regex_search(std::filesystem::path(path).filename().string(), number);
 }
 
 /// Names that are meant for something else than one file.

@@ -10,6 +10,7 @@
 #include "base/stopwatch.h"
 #include "cli/terminal.h"
 #include "cli/trust_text.h"
+#include "engine/json_document.h"
 
 namespace calotype {
 namespace {
@@ -71,6 +72,7 @@ void Progress::show(double done, std::vector<LinePart> parts) {
 void Progress::showJson(const std::string& stage, double done, const RenderTotals* totals) {
     using Json = nlohmann::ordered_json;
     const double seconds = secondsSince(start_);
+    stage_ = stage;
     Json json;
     json["stage"] = stage;
     json["done"] = done;
@@ -79,18 +81,22 @@ void Progress::showJson(const std::string& stage, double done, const RenderTotal
     json["trusted"] = totals && totals->error ? Json(totals->error->isTrusted()) : Json();
     json["seconds"] = seconds;
     json["seconds_left"] = totals && done > 0.0 ? Json(seconds * (1.0 - done) / done) : Json();
-    std::fprintf(stderr, "%s\n", json.dump().c_str());
+    std::fputs(jsonText(json, -1).c_str(), stderr);
     std::fflush(stderr);
 }
 
 void Progress::step(const std::string& what, double done) {
-    const bool isLong = style_ == ProgressStyle::Json || Clock::now() - start_ > kQuietStart;
-    if (!isLong || !isDue())
-        return;
-    if (style_ == ProgressStyle::Json)
-        showJson(what, done, nullptr);
-    else
+    if (style_ == ProgressStyle::Json) {
+        if (what != stage_ || isDue())
+            showJson(what, done, nullptr);
+    } else if (Clock::now() - start_ > kQuietStart && isDue()) {
         show(done, {{what, kSamples}});
+    }
+}
+
+void Progress::finished(const RenderTotals& totals) {
+    if (style_ == ProgressStyle::Json)
+        showJson("finished", 1.0, &totals);
 }
 
 void Progress::rendering(const RenderTotals& totals) {

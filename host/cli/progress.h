@@ -31,6 +31,9 @@ public:
 
     void rendering(const RenderTotals& totals);
 
+    /// The end of the render: the last line of JSON.
+    void finished(const RenderTotals& totals);
+
     /// Removes the bar before a message.
     void clear();
 
@@ -48,6 +51,7 @@ private:
     RenderPlan plan_;
     Clock::time_point start_ = Clock::now();
     Clock::time_point lastShown_ = Clock::now();
+    std::string stage_; ///< of the last line of JSON
 };
 
 } // namespace calotype

@@ -70,6 +70,7 @@ public:
         job.loadSeconds = loadSeconds;
         const RenderResult result = renderer.render(job, callbacks());
         progress_->clear();
+        progress_->finished(result.totals);
         reportRender(options_, result);
         return result.ending == RenderEnding::Stopped ? kExitOther : kExitDone;
     }

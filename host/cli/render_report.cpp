@@ -15,23 +15,31 @@ std::string estimateText(const ErrorEstimate& error) {
     return " " + percentText(error.relative) + trustText(error);
 }
 
-/// All files that hold the picture: "a.exr, a.png, a.film".
-std::string placesOf(const RenderOptions& options) {
-    std::vector<std::string> paths = options.output.pictures;
-    if (options.film.keepsFilm())
-        paths.push_back(options.film.path());
+/// "a.exr, a.png".
+std::string listed(const std::vector<std::string>& paths) {
     std::string places;
     for (const std::string& path : paths)
         places += (places.empty() ? "" : ", ") + path;
     return places;
 }
 
+/// All files that hold the picture: "a.exr, a.png, a.film".
+std::string placesOf(const RenderOptions& options) {
+    std::vector<std::string> paths = options.output.pictures;
+    if (options.film.keepsFilm())
+        paths.push_back(options.film.path());
+    return listed(paths);
+}
+
 void reportInterrupt(const RenderOptions& options, const std::string& samples) {
-    const char* what = options.output.pictures.empty() ? "film" : "picture";
-    const bool isContinued = options.film.keepsFilm() && !options.film.overwrites;
-    std::fprintf(stderr, "calotype: interrupted after %s; the %s so far is in %s%s\n",
-                 samples.c_str(), what, placesOf(options).c_str(),
-                 isContinued ? "; the same command goes on with the film" : "");
+    std::string text = "interrupted after " + samples;
+    if (!options.output.pictures.empty())
+        text += "; the picture so far is in " + listed(options.output.pictures);
+    if (options.film.keepsFilm())
+        text += "; its whole blocks of 16 samples are in the film " + options.film.path();
+    if (options.film.keepsFilm() && !options.film.overwrites)
+        text += "; the same command goes on with the film";
+    std::fprintf(stderr, "calotype: %s\n", text.c_str());
 }
 
 /// The estimate, and how it compares with a target.
@@ -81,6 +89,11 @@ void reportRender(const RenderOptions& options, const RenderResult& result) {
     warnOfRareLight(result);
     if (options.quiet)
         return;
+    if (totals.paths == 0) {
+        std::fprintf(stderr, "%s: %s; the film holds all of them, and nothing was rendered\n",
+                     placesOf(options).c_str(), samples.c_str());
+        return;
+    }
     const auto rate = [&](uint64_t count) {
         return totals.seconds > 0.0 ? withPrefix(static_cast<double>(count) / totals.seconds)
                                     : std::string("0");

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include <nlohmann/json.hpp>
 
 namespace calotype {
@@ -14,6 +16,12 @@ inline nlohmann::ordered_json newJsonDocument() {
     json["format"] = kJsonFormat;
     json["version"] = CALOTYPE_VERSION;
     return json;
+}
+
+/// The document as text; names of files and materials may hold bytes that are not UTF-8, which
+/// become the replacement character. An `indent` of -1 makes one line.
+inline std::string jsonText(const nlohmann::ordered_json& json, int indent = 2) {
+    return json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 } // namespace calotype

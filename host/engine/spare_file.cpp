@@ -1,6 +1,7 @@
 #include "engine/spare_file.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -16,7 +17,9 @@ namespace fs = std::filesystem;
 
 /// "FOLDER/frame.1234.exr" for "frame.exr", by the number of the process; no file has the name.
 fs::path newName(const fs::path& folder, const fs::path& path) {
-    const std::string start = path.stem().string() + "." + std::to_string(::getpid());
+    constexpr size_t kLongestStem = 200; // of 255 bytes, with what is added
+    const std::string start =
+        path.stem().string().substr(0, kLongestStem) + "." + std::to_string(::getpid());
     std::error_code ignored;
     fs::path name = folder / (start + path.extension().string());
     for (int i = 1; fs::exists(fs::symlink_status(name, ignored)); ++i)
@@ -42,9 +45,14 @@ SpareFile::SpareFile(fs::path path, std::vector<fs::path> folders)
         const fs::path own = path_.has_parent_path() ? path_.parent_path() : fs::path(".");
         return fs::equivalent(folder, own, missing);
     });
-    std::error_code none;
-    if (fs::path temporary = fs::temp_directory_path(none); !none)
-        folders_.push_back(std::move(temporary));
+    const auto addVariable = [&](const char* name) {
+        if (const char* folder = std::getenv(name); folder && *folder)
+            folders_.emplace_back(folder);
+    };
+    addVariable("TMPDIR");
+    folders_.insert(folders_.end(), {"/tmp", "/var/tmp"});
+    addVariable("HOME");
+    folders_.emplace_back(".");
 }
 
 void SpareFile::write(const char* what, const Write& write) {

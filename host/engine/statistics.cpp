@@ -75,7 +75,7 @@ std::string toJson(const RenderStatistics& statistics) {
     json["lost_blocks"] = totals.losses.lostPixels();
     json["device_memory_bytes"] = deviceBytes;
     json["peak_memory_bytes"] = peakMemoryBytes();
-    return json.dump(2) + "\n";
+    return jsonText(json);
 }
 
 } // namespace calotype

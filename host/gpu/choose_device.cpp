@@ -1,7 +1,7 @@
 #include "gpu/choose_device.h"
 
 #include <algorithm>
-#include <charconv>
+#include <iterator>
 #include <string>
 
 #include "base/error.h"
@@ -19,11 +19,12 @@ std::string quoteNames(const std::vector<DeviceInfo>& devices) {
     return names;
 }
 
+bool isNumber(const std::string& wish) {
+    return wish.find_first_not_of("0123456789") == std::string::npos;
+}
+
 bool isIndexOf(const DeviceInfo& device, const std::string& wish) {
-    uint32_t index = 0;
-    const char* const end = wish.data() + wish.size();
-    const auto [stop, error] = std::from_chars(wish.data(), end, index);
-    return error == std::errc() && stop == end && device.index == index;
+    return std::to_string(device.index) == wish;
 }
 
 /// nvidia-smi prints "GPU-" before a UUID.
@@ -39,8 +40,9 @@ bool isAddressOf(const DeviceInfo& device, const std::string& wish) {
            (wish.ends_with(device.pciAddress) || device.pciAddress.ends_with(":" + wish));
 }
 
+/// A number alone is an index, not a part of "LLVM 15".
 bool isPartOf(const std::string& text, const std::string& wish) {
-    return lowercase(text).find(wish) != std::string::npos;
+    return !isNumber(wish) && lowercase(text).find(wish) != std::string::npos;
 }
 
 /// The ways in which a wish can fit a device, the most exact first. Wishes are in lower case.
@@ -53,24 +55,6 @@ constexpr Fits kWaysToFit[] = {
     [](const DeviceInfo& device, const std::string& wish) { return isPartOf(device.driver, wish); },
 };
 
-DeviceChoice chooseByWish(const std::vector<DeviceInfo>& devices, std::string_view wish,
-                          std::string_view askedBy) {
-    const std::string asked =
-        std::string(askedBy) + (askedBy.empty() ? "'" : " '") + std::string(wish) + "'";
-    const std::string lowered = lowercase(wish);
-    for (const Fits fits : kWaysToFit) {
-        const auto found = std::ranges::find_if(
-            devices, [&](const DeviceInfo& device) { return fits(device, lowered); });
-        if (found == devices.end())
-            continue;
-        if (!found->missing.empty())
-            throw GpuError("the device '" + found->name + "' that " + asked + " names lacks " +
-                           found->missing);
-        return {found->index, "matches " + asked};
-    }
-    throw GpuError("no device matches " + asked + "; there are: " + quoteNames(devices));
-}
-
 /// llvmpipe is many times faster than other drivers that render on the CPU.
 bool isBetter(const DeviceInfo& a, const DeviceInfo& b) {
     if (a.rank != b.rank)
@@ -78,6 +62,33 @@ bool isBetter(const DeviceInfo& a, const DeviceInfo& b) {
     if (a.driverId == b.driverId)
         return a.driverVersion > b.driverVersion;
     return a.driverId == VK_DRIVER_ID_MESA_LLVMPIPE;
+}
+
+/// The best of those that can run Calotype; null if none can.
+const DeviceInfo* bestOf(const std::vector<DeviceInfo>& devices) {
+    const DeviceInfo* best = nullptr;
+    for (const DeviceInfo& device : devices)
+        if (device.missing.empty() && (!best || isBetter(device, *best)))
+            best = &device;
+    return best;
+}
+
+DeviceChoice chooseByWish(const std::vector<DeviceInfo>& devices, std::string_view wish,
+                          std::string_view askedBy) {
+    const std::string asked =
+        std::string(askedBy) + (askedBy.empty() ? "'" : " '") + std::string(wish) + "'";
+    const std::string lowered = lowercase(wish);
+    for (const Fits fits : kWaysToFit) {
+        std::vector<DeviceInfo> fitting;
+        std::ranges::copy_if(devices, std::back_inserter(fitting),
+                             [&](const DeviceInfo& device) { return fits(device, lowered); });
+        if (const DeviceInfo* best = bestOf(fitting))
+            return {best->index, "matches " + asked};
+        if (!fitting.empty())
+            throw GpuError("the device '" + fitting.front().name + "' that " + asked +
+                           " names lacks " + fitting.front().missing);
+    }
+    throw GpuError("no device matches " + asked + "; there are: " + quoteNames(devices));
 }
 
 } // namespace
@@ -89,10 +100,7 @@ DeviceChoice chooseDevice(const std::vector<DeviceInfo>& devices, std::string_vi
                        "which renders on the CPU)");
     if (!wish.empty())
         return chooseByWish(devices, wish, askedBy);
-    const DeviceInfo* best = nullptr;
-    for (const DeviceInfo& device : devices)
-        if (device.missing.empty() && (!best || isBetter(device, *best)))
-            best = &device;
+    const DeviceInfo* best = bestOf(devices);
     if (!best)
         throw GpuError("no device can run Calotype: '" + devices.front().name + "' lacks " +
                        devices.front().missing);

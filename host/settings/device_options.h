@@ -7,7 +7,8 @@ namespace calotype {
 
 /// The device that renders, and its options.
 struct DeviceOptions {
-    /// A Vulkan device by its index or a part of its name, in any case; or "reference" for the
+    /// A Vulkan device by its index, a part of its name or driver, in any case, its UUID or its PCI
+    /// address; or "reference" for the
     /// reference tracer, in double precision on the CPU. Empty: the best device.
     std::string device;
 

@@ -68,7 +68,7 @@ std::string toJson(const Study& study, const StudyOrigin& origin) {
     json["measurements"] = Json::array();
     for (const Measurement& measurement : study.measurements)
         json["measurements"].push_back(describe(measurement));
-    return json.dump(2) + "\n";
+    return jsonText(json);
 }
 
 } // namespace calotype

@@ -65,6 +65,15 @@ TEST_F(CompareTest, PrintsJson) {
     EXPECT_TRUE(nlohmann::json::parse(equal.output)["psnr"].is_null());
 }
 
+// A file's name may hold any bytes; JSON is UTF-8.
+TEST_F(CompareTest, JsonIsValidWhateverTheNames) {
+    const std::string path = folder_ / "b\xff.pfm";
+    std::filesystem::copy(b_, path);
+    const ProgramResult result = runProgram({"compare", a_, path, "--json"});
+    EXPECT_EQ(result.exitCode, 0) << result.errors;
+    EXPECT_TRUE(nlohmann::json::accept(result.output)) << result.output;
+}
+
 TEST_F(CompareTest, OfEqualPicturesIsInfinitelyNear) {
     const std::string diff = folder_ / "diff.png";
     const ProgramResult result =

@@ -26,7 +26,9 @@ TEST_F(FilmTest, SignalsKeepTheFilm) {
         const ProgramResult result = runProgram(
             render({"--film", path, "--spp", "1000000", "--checkpoint", "0.1s"}), options);
         EXPECT_EQ(result.exitCode, 1) << result.errors;
-        EXPECT_NE(result.errors.find("the film so far is in"), std::string::npos) << result.errors;
+        EXPECT_NE(result.errors.find("its whole blocks of 16 samples are in the film"),
+                  std::string::npos)
+            << result.errors;
         const uint64_t samples = readFilm(path).film.samplesPerPixel();
         EXPECT_GT(samples, 0u);
         if (signal == SIGHUP) // all are handled alike

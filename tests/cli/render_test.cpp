@@ -354,8 +354,9 @@ TEST_F(RenderTest, ProgressCanBeJson) {
     std::istringstream lines(result.errors);
     std::string line;
     int updates = 0;
+    nlohmann::json last;
     while (std::getline(lines, line) && line.starts_with('{')) {
-        const auto json = nlohmann::json::parse(line);
+        const auto json = last = nlohmann::json::parse(line);
         EXPECT_GE(json["done"], 0.0);
         EXPECT_LE(json["done"], 1.0);
         EXPECT_GE(json["seconds"], 0.0);
@@ -364,6 +365,8 @@ TEST_F(RenderTest, ProgressCanBeJson) {
             EXPECT_GT(json["samples"], 0);
     }
     EXPECT_GE(updates, 1) << result.errors;
+    EXPECT_EQ(last["stage"], "finished");
+    EXPECT_EQ(last["done"], 1.0);
     // The summary names every file that holds the picture.
     for (const char* name : {"/a.png, ", "/a.exr, ", "/a.film: "})
         EXPECT_NE(line.find(name), std::string::npos) << line;

@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <sstream>
 
+#include <nlohmann/json.hpp>
+
 #include "cli/cli_test.h"
 #include "support/paths.h"
 #include "support/slow_run.h"
@@ -36,6 +38,15 @@ TEST_F(StudyTest, TimedRunWritesTableAndPlotAndPage) {
     const std::string csv = readOutput("study.csv");
     const std::string page = readOutput("study.html");
     EXPECT_EQ(readOutput("study.svg").rfind("<svg", 0), 0u);
+    const auto json = nlohmann::json::parse(readOutput("study.json"));
+    EXPECT_EQ(json["format"], 1);
+    ASSERT_EQ(json["recommended"].size(), 3u);
+    for (const auto& choice : json["recommended"])
+        if (!choice["command"].is_null())
+            EXPECT_NE(result.output.find(choice["command"].get<std::string>()), std::string::npos)
+                << "a command a row: " << result.output;
+    EXPECT_EQ(json["measurements"][0]["name"], "the default");
+    EXPECT_GT(json["measurements"][0]["curve"].size(), 3u);
     // A busy machine does not get through all settings in the quick run's time; then it says so.
     const bool isWhole = result.errors.find("too short for all settings") == std::string::npos;
     EXPECT_TRUE(isWhole || !isSlowRun()) << result.errors;

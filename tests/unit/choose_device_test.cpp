@@ -92,9 +92,16 @@ TEST(ChooseDeviceTest, FindsWhatAWishNames) {
         EXPECT_EQ(chooseDevice(devices, wish).index, index) << wish;
 }
 
+TEST(ChooseDeviceTest, TakesTheBestThatFits) {
+    EXPECT_EQ(chooseDevice(numbered({kLlvmpipe, kNewLlvmpipe}), "llvmpipe").index, 1u);
+    std::vector<DeviceInfo> devices = twoEqualGpus();
+    devices[0].missing = "Vulkan 1.2";
+    EXPECT_EQ(chooseDevice(devices, "nvidia").index, 1u);
+}
+
 TEST(ChooseDeviceTest, RefusesWhatNothingFits) {
     const std::vector<DeviceInfo> devices = twoEqualGpus();
-    for (const char* wish : {"7", "radeon", "9c3a", "00:00.0", ":", "0000:17:00.1"})
+    for (const char* wish : {"7", "22", "550", "radeon", "9c3a", "00:00.0", ":", "0000:17:00.1"})
         EXPECT_THROW(chooseDevice(devices, wish), GpuError) << wish;
     EXPECT_THROW(chooseDevice({}, ""), GpuError);
 }
