@@ -22,26 +22,36 @@ void join(KeptFilm& joined, const std::string& path) {
     joined.label.devices.insert(next.label.devices.begin(), next.label.devices.end());
 }
 
+bool hasSameOrigin(const std::string& path, const KeptFilm& a, const KeptFilm& b) {
+    try {
+        requireSameOrigin(path, a, b.label, b.film.width(), b.film.height(), b.film.unit(),
+                          b.film.channels());
+        return true;
+    } catch (const SceneError&) {
+        return false;
+    }
+}
+
+/// Nothing where there is no film, or a damaged one.
+std::optional<KeptFilm> readIfWhole(const std::string& path) {
+    try {
+        return isFilm(path) ? std::optional(readLabelledFilm(path)) : std::nullopt;
+    } catch (const SceneError&) {
+        return std::nullopt;
+    }
+}
+
 } // namespace
 
 void requireNoLess(const std::string& path, const KeptFilm& joined) {
-    constexpr const char* kAdvice = "; name another file, or replace it with --overwrite";
-    if (!isFilm(path))
+    const std::optional<KeptFilm> existing = readIfWhole(path);
+    if (!existing || !hasSameOrigin(path, *existing, joined))
         return;
-    std::optional<KeptFilm> existing;
-    try {
-        existing = readLabelledFilm(path);
-        requireSameOrigin(path, *existing, joined.label, joined.film.width(), joined.film.height(),
-                          joined.film.unit(), joined.film.channels());
-    } catch (const SceneError& error) {
-        const std::string sentence = error.what();
-        throw SceneError(path, sentence.substr(error.where().size() + 2) + kAdvice);
-    }
     const BlockRanges missing = joined.film.blocks().missingFrom(existing->film.blocks());
     if (!missing.empty())
-        throw SceneError(path,
-                         "the film exists already, and holds samples that these films lack: " +
-                             sampleText(missing) + kAdvice);
+        throw SceneError(
+            path, "the film exists already, and holds samples that these films lack: " +
+                      sampleText(missing) + "; name another file, or replace it with --overwrite");
 }
 
 KeptFilm mergeFilms(const std::vector<std::string>& paths,
