@@ -100,7 +100,7 @@ TEST_F(RefractionExtremesTest, DirectionsAreSnells) {
             const glm::dvec3 wo(events[i].wo);
             const glm::dvec3 wi(answers[i].wi);
             const bool crosses = answers[i].crosses != 0;
-            const double ratio = crosses ? double(events[i].eta) : 1.0;
+            const double ratio = crosses ? double(events[i].material.eta) : 1.0;
             ASSERT_TRUE(std::isfinite(wi.x + wi.y + wi.z));
             ASSERT_TRUE(crosses ? wi.z <= 0.0 : wi.z >= 0.0);
             ASSERT_NEAR(answers[i].weight.x * ratio * ratio, 1.0, 4.0 * kRoundoffOfFloat);
