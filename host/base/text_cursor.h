@@ -58,8 +58,22 @@ private:
     const char* end_;
 };
 
+/// `word` without an exponent at its end: "e" or "E", a sign, and digits.
+inline std::string_view withoutExponent(std::string_view word) {
+    std::string_view rest = word;
+    while (!rest.empty() && rest.back() >= '0' && rest.back() <= '9')
+        rest.remove_suffix(1);
+    const bool hasDigits = rest.size() < word.size();
+    const bool hasSign = rest.ends_with('+') || rest.ends_with('-');
+    if (!hasDigits || !hasSign)
+        return word;
+    rest.remove_suffix(1);
+    return rest.ends_with('e') || rest.ends_with('E') ? rest.substr(0, rest.size() - 1) : word;
+}
+
 /// What Microsoft's older printf writes for infinity and NaN, whatever its precision: "1.#INF",
-/// "-1.#IND00", "1.#QNAN", rounded "1.#J" and "1.$". nullopt for anything else.
+/// "-1.#IND00", "1.#QNAN", rounded "1.#QNB", "1.#J" and "1.$", and all these with an exponent, such
+/// as "1.#INF00e+000". nullopt for anything else.
 inline std::optional<double> parseMicrosoftNonFinite(std::string_view word) {
     const bool isNegative = word.starts_with('-');
     if (isNegative)
@@ -67,11 +81,12 @@ inline std::optional<double> parseMicrosoftNonFinite(std::string_view word) {
     const bool isRounded = word.starts_with("1.$");
     if (!isRounded && !(word.starts_with("1.#") && word.size() > 3))
         return std::nullopt;
-    std::string kind(word.substr(3));
+    std::string kind(withoutExponent(word.substr(3)));
     while (!kind.empty() && kind.back() == '0') // padding
         kind.pop_back();
     kind = lowercase(kind);
-    constexpr std::string_view kNan[] = {"ind", "qnan", "snan", "io", "qo", "so", "j", "r", "t"};
+    constexpr std::string_view kNan[] = {"ind", "qnan", "snan", "qnb", "snb", "io",
+                                         "qo",  "so",   "j",    "r",   "t"};
     if (kind == "inf")
         return isNegative ? -HUGE_VAL : HUGE_VAL;
     if (isRounded ? kind.empty() : std::ranges::find(kNan, kind) != std::end(kNan))

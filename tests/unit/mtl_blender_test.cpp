@@ -61,8 +61,9 @@ TEST_F(MtlBlenderTest, ItsDefaultOptionStatesRoughnessByNs) {
         EXPECT_EQ(material.color, glm::dvec3(0.2, 0.1, 0.05));
         EXPECT_EQ(material.opacity, 1.0);
     }
-    EXPECT_EQ(remarkedMaterialOf(plain(4000, "0.1"), "Ns was lowered").roughness, 0.0);
-    EXPECT_EQ(remarkedMaterialOf(plain(-1, "0.1"), "Ns was raised").roughness, 1.0);
+    EXPECT_EQ(remarkedMaterialOf(plain(4000, "0.1"), "Ns above 1000 was lowered to 1000").roughness,
+              0.0);
+    EXPECT_EQ(remarkedMaterialOf(plain(-1, "0.1"), "Ns below 0 was raised to 0").roughness, 1.0);
     const Scene mapped = load("Ka 1 1 1\nKd 0.1 0.1 0.1\nKs 0.5 0.5 0.5\nNi 1.5\nillum 2\n"
                               "map_Ns high.png\n");
     const Material& rough = mapped.materials.at(1);
@@ -93,10 +94,12 @@ TEST_F(MtlBlenderTest, ItsFilesAreKnownByTheirFirstLine) {
 TEST_F(MtlBlenderTest, ColouredHighlightsAreOfAnotherOrigin) {
     EXPECT_EQ(materialOf("Ns 90\nKa 0 0 0\nKd 0.2 0.2 0.2\nKs 0.5 0.1 0.1\nillum 2\n").type,
               MaterialType::BlinnPhong);
-    EXPECT_EQ(remarkedMaterialOf("Ns 90\nKd 0.2\nKs 0.5 0.1 0.1\nmap_Ks low.png\n",
-                                 "map_Ns, map_Ks and map_refl, which say nothing beside")
-                  .type,
-              MaterialType::BlinnPhong);
+    EXPECT_EQ(
+        remarkedMaterialOf(
+            "Ns 90\nKd 0.2\nKs 0.5 0.1 0.1\nmap_Ks low.png\n",
+            "map_Ns, map_Ks and map_refl were ignored, because Ks or Ka is not grey, in \"a\"")
+            .type,
+        MaterialType::BlinnPhong);
 }
 
 TEST_F(MtlBlenderTest, KsIsTheSpecularLevel) {
@@ -185,11 +188,10 @@ TEST_F(MtlBlenderTest, ItsPbrOptionStatesRoughnessAndMetals) {
 }
 
 TEST_F(MtlBlenderTest, AFieldWithoutEffectGivesNoWarning) {
-    materialOf(pbr("")); // its Pc and aniso are 0, so Pcr and anisor say nothing
-    remarkedMaterialOf(pbr("Pc 2\n"),
-                       "these MTL statements are not supported yet and were ignored: "
-                       "\"Pc\", \"Pcr\"");
-    remarkedMaterialOf(pbr("aniso 0.5\n"), "these MTL statements are not supported yet and were "
+    materialOf(pbr("")); // its Pc and aniso are 0, so Pcr and anisor have no effect
+    remarkedMaterialOf(pbr("Pc 2\n"), "these MTL statements are not supported and were ignored: "
+                                      "\"Pc\", \"Pcr\"");
+    remarkedMaterialOf(pbr("aniso 0.5\n"), "these MTL statements are not supported and were "
                                            "ignored: \"aniso\", \"anisor\"");
 }
 

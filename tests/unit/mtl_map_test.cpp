@@ -142,8 +142,8 @@ TEST_F(MtlMapsTest, CommentsBehindNamesAreLeftOut) {
 
 TEST_F(MtlMapsTest, MapKeMultipliesKeByItsMean) {
     files_.write("screen.png", pngOf(2, 1, {{255, 128, 0, 255}, {0, 128, 0, 255}}));
-    const std::string remark = "map_Ke shines with its mean colour, since emission cannot be "
-                               "textured yet, in \"a\"";
+    const std::string remark = "the mean colour of map_Ke is used for emission, which cannot be "
+                               "textured, in \"a\"";
     const auto expectEmission = [&](const std::string& statements, const glm::dvec3& emission) {
         const Material material = remarkedMaterialOf(statements, remark);
         for (int k = 0; k < 3; ++k)
@@ -193,7 +193,7 @@ TEST_F(MtlMapsTest, TexturesLieBesideTheirMtl) {
 
 TEST_F(MtlMapsTest, IgnoredOptionsAreWarnedOfOnce) {
     remarkedMaterialOf("map_Kd -mm 0 0.5 red.png\nbump -mm 0 0.5 -t 1 grey.png\n",
-                       "these MTL texture options are not supported yet and were ignored: "
+                       "these MTL texture options are not supported and were ignored: "
                        "\"-mm\", \"-t\"");
 }
 

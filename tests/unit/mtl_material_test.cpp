@@ -144,18 +144,21 @@ TEST_F(MtlMaterialsTest, DissolveGivesOpacity) {
 }
 
 TEST_F(MtlMaterialsTest, NumbersOutOfRangeAreClampedWithAWarning) {
-    EXPECT_EQ(remarkedMaterialOf("d 1.5\n", "d was lowered").opacity, 1.0);
-    EXPECT_EQ(remarkedMaterialOf("d -1\n", "d was raised").opacity, 0.0);
-    EXPECT_EQ(remarkedMaterialOf("Tr 2\n", "Tr was lowered").opacity, 0.0);
-    EXPECT_EQ(remarkedMaterialOf("Pr 3\n", "Pr was lowered").roughness, 1.0);
-    EXPECT_EQ(remarkedMaterialOf("Pm 2\n", "Pm was lowered").type, MaterialType::Metal);
-    EXPECT_EQ(remarkedMaterialOf("Ks 0.5\nNs 1e30\n", "Ns was lowered").exponent,
+    EXPECT_EQ(remarkedMaterialOf("d 1.5\n", "d above 1 was lowered to 1 in \"a\"").opacity, 1.0);
+    EXPECT_EQ(remarkedMaterialOf("d -1\n", "d below 0 was raised to 0 in \"a\"").opacity, 0.0);
+    EXPECT_EQ(remarkedMaterialOf("Tr 2\n", "Tr above 1 was lowered to 1").opacity, 0.0);
+    EXPECT_EQ(remarkedMaterialOf("Pr 3\n", "Pr above 1 was lowered to 1").roughness, 1.0);
+    EXPECT_EQ(remarkedMaterialOf("Pm 2\n", "Pm above 1 was lowered to 1").type,
+              MaterialType::Metal);
+    EXPECT_EQ(remarkedMaterialOf("Ks 0.5\nNs 1e30\n", "Ns above ").exponent,
               Material::kHighestExponent);
-    EXPECT_EQ(remarkedMaterialOf("Ks 0.5\nNs -3\n", "Ns was raised").type, MaterialType::Diffuse);
+    EXPECT_EQ(remarkedMaterialOf("Ks 0.5\nNs -3\n", "Ns below 0 was raised to 0").type,
+              MaterialType::Diffuse);
     EXPECT_EQ(remarkedMaterialOf("Kd 2\n", "Kd above 1 was lowered to 1 in \"a\"").color,
               glm::dvec3(1.0));
     EXPECT_EQ(remarkedMaterialOf("Kd 0\nKs 3\nNs 5\n", "Ks above 1").ks, 1.0);
-    EXPECT_EQ(remarkedMaterialOf("illum 7\nNi 1e9\n", "Ni was lowered").ior, 100.0);
+    EXPECT_EQ(remarkedMaterialOf("illum 7\nNi 1e9\n", "Ni above 100 was lowered to 100").ior,
+              100.0);
     EXPECT_EQ(materialOf("illum 1e300\n").type, MaterialType::Diffuse);
 }
 
@@ -166,7 +169,8 @@ TEST_F(MtlMaterialsTest, ColoursOutOfRangeAreClampedWithAWarning) {
               glm::dvec3(0.25));
     EXPECT_EQ(remarkedMaterialOf("Ke 2 -1 0\n", "Ke below 0 was raised").emission,
               glm::dvec3(2.0, 0.0, 0.0));
-    EXPECT_EQ(remarkedMaterialOf("Ke 1e300\n", "Ke was lowered").emission, glm::dvec3(1e30));
+    EXPECT_EQ(remarkedMaterialOf("Ke 1e300\n", "Ke above 1e+30 was lowered to 1e+30").emission,
+              glm::dvec3(1e30));
     EXPECT_EQ(remarkedMaterialOf("Ke 1e-40\n", "Ke, which is too small").emission, glm::dvec3(0.0));
     EXPECT_EQ(remarkedMaterialOf("illum 7\nNi 1.5\nTf -1 2 0.5\n", "Tf below 0").color,
               glm::dvec3(0.0, 1.0, 0.5));
@@ -203,7 +207,7 @@ TEST_F(MtlMaterialsTest, StatementsThatCannotBeReadAreIgnoredWithAWarning) {
     }
     for (const char* statement : {"Kd spectral a.rfl 2", "Kd xyz 0.1 0.2 0.3", "Ks SPECTRAL a.rfl"})
         EXPECT_EQ(remarkedMaterialOf(std::string("Kd 0.25\n") + statement + "\n",
-                                     "spectral and CIE XYZ colours, which are not supported yet "
+                                     "spectral and CIE XYZ colours, which are not supported "
                                      "and were ignored: 1 (line 3)")
                       .color,
                   glm::dvec3(0.25));

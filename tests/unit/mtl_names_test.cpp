@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "support/image_files.h"
 #include "unit/scene_files.h"
 
 namespace calotype::test {
@@ -106,6 +107,36 @@ TEST_F(MtlNamesTest, EachLibraryIsReadOnce) {
     EXPECT_EQ(times, 1);
     ASSERT_EQ(scene.warnings.size(), 1u);
     EXPECT_NE(scene.warnings[0].find("which were ignored: 1 (line 3)"), std::string::npos);
+}
+
+// As between files, where the first one that defines a material decides.
+TEST_F(MtlNamesTest, TheFirstDefinitionOfAMaterialIsUsed) {
+    files_.write("m.mtl", "newmtl a\nKd 0.25\nnewmtl b\nKd 0.5\nnewmtl a\nKd 0.75\nd 0.5\n"
+                          "newmtl a\nmap_Kd none.png\nnewmtl c\nKd 0.125\n");
+    EXPECT_EQ(redsOf("mtllib m.mtl", {"a", "b", "c"}), (std::vector<double>{0.25, 0.5, 0.125}));
+    EXPECT_EQ(scene_.materials.at(1).opacity, 1.0);
+    ASSERT_EQ(scene_.warnings.size(), 1u);
+    EXPECT_NE(scene_.warnings[0].find("m.mtl: materials that are defined again, of which the first "
+                                      "definition is used: 2 (lines 5, 8)"),
+              std::string::npos)
+        << scene_.warnings[0];
+}
+
+TEST_F(MtlNamesTest, TexturesAreLookedForOnceForAllMeshesOfAModel) {
+    files_.write("red.png", pngOf({255, 0, 0, 255}));
+    std::string mtl;
+    std::string obj = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    for (int i = 0; i < 200; ++i) {
+        const std::string name = std::string("m").append(std::to_string(i));
+        mtl.append("newmtl ").append(name).append("\nmap_Kd red.png\n");
+        obj.append("usemtl ").append(name).append("\nf 1 2 3\n");
+    }
+    files_.write("m.mtl", mtl);
+    files_.write("m.obj", obj);
+    nlohmann::json scene = litMesh();
+    for (int i = 0; i < 1500; ++i)
+        scene["shapes"].push_back(scene["shapes"][0]);
+    EXPECT_LT(processorSeconds([&] { files_.load(scene); }), 0.8);
 }
 
 TEST_F(MtlNamesTest, TimeIsInProportionToTheInput) {

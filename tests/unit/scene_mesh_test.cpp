@@ -118,7 +118,7 @@ TEST_F(SceneMeshTest, OneWarningNamesUnsupportedStatementsOfTheMtl) {
                  "newmtl leg\nKd 0.1\nmap_Ks oak.png\nrefl 0.5 0.5 0.5\nnewmtl seat\nPc 0.5\n"
                  "refl 1\nnewmtl unused\nmap_Ns x.png\n");
     const Scene scene = load("");
-    EXPECT_TRUE(hasWarning(scene, "m.obj: these MTL statements are not supported yet and were "
+    EXPECT_TRUE(hasWarning(scene, "m.obj: these MTL statements are not supported and were "
                                   "ignored: \"Pc\", \"map_Ks\", \"refl\""));
 }
 

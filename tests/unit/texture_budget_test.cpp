@@ -115,5 +115,68 @@ TEST_F(TextureBudgetTest, ImagesOfModelsAreCountedTogether) {
     expectContains(messageOf<Error>(scene, options), "take 68 MiB");
 }
 
+struct MapUse {
+    std::string mtl;
+    int onHost;   ///< MiB
+    int onDevice; ///< MiB
+};
+
+// Sizes are 4 side^2 bytes: 64, 16 and 4 MiB.
+TEST_F(TextureBudgetTest, OnlyMapsThatTheMaterialUsesAreCounted) {
+    sceneOfLargeImages(files_);
+    files_.write("m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n");
+    nlohmann::json scene = plainScene();
+    scene["shapes"].push_back({{"type", "mesh"}, {"file", "m.obj"}});
+    const std::string blender = "# Blender 4.2.0 MTL File: 'a.blend'\n";
+    const std::string name = "newmtl a\n";
+    const std::string mapKd = "map_Kd 4096.png\n";
+    const std::vector<MapUse> uses = {
+        {name + mapKd, 64, 64},
+        {name + mapKd + "illum 7\nNi 1.5\n", 64, 0},                  // glass: read for its alpha
+        {name + mapKd + "illum 7\nNi 1.5\nmap_d 2048.png\n", 80, 80}, // with holes, so no glass
+        {name + mapKd + "illum 7\nNi 1.5\nKe 1\n", 64, 64},
+        {name + mapKd + "illum 7\nNi 1.5\nPm 1\n", 64, 64},
+        {name + mapKd + "illum 7\nNi 1.5\nmap_Pr 2048.png\n", 64, 0},
+        {name + "Pr 1\nmap_Pr 2048.png\nbump 4096.png\n", 80, 80},
+        {name + "norm 2048.png\nbump 4096.png\n", 16, 16},
+        {name + "Kd 0\nKs 1\nillum 3\nmap_Pr 4096.png\nmap_Pm 2048.png\n", 16, 0},
+        {name + "map_Ke 2048.png\nmap_Pm 1024.png\n", 20, 0},
+        {name + "Ke 0\nmap_Ke 4096.png\nmap_Pm 1024.png\n", 4, 0},
+        {name + "Pr 1\nmap_Ks 4096.png\nmap_Pr 2048.png\n", 16, 16}, // map_Ks of Blender alone
+        {blender + name + "map_Ns 2048.png\nmap_Ks 4096.png\n", 80, 80},
+        {blender + name + "illum 3\nKa 1\nmap_Ns 2048.png\nmap_Ks 4096.png\n", 16, 16}, // metal
+        {blender + name + "Pm 1\nmap_Ns 2048.png\nmap_Ks 4096.png\nmap_Pr 1024.png\n", 4, 4},
+        {blender + name + "Pr 0\nTf 1\nNi 1.5\n" + mapKd + "map_Ks 2048.png\n", 64, 0},
+        {blender + name + "Ks 1 0 0\nmap_Ns 2048.png\nmap_Ks 4096.png\nmap_Kd 1024.png\n", 4, 4},
+    };
+    for (const MapUse& use : uses) {
+        SCOPED_TRACE(use.mtl);
+        files_.write("m.mtl", use.mtl);
+        LoadOptions options;
+        options.hostMemory = 0;
+        expectContains(messageOf<Error>(scene, options),
+                       "take " + std::to_string(use.onHost) + " MiB of this machine's memory");
+        if (use.onDevice == 0)
+            continue;
+        options.hostMemory = uint64_t{1} << 40;
+        options.deviceTextureMemory = [] { return DeviceTextureMemory{0, "no GPU", false}; };
+        expectContains(messageOf<GpuError>(scene, options),
+                       "take " + std::to_string(use.onDevice) + " MiB on the device");
+    }
+}
+
+// Glass of many large maps is no reason to refuse a model: the device gets none of them.
+TEST_F(TextureBudgetTest, ImagesOfGlassNeedNoRoomOnTheDevice) {
+    sceneOfLargeImages(files_);
+    files_.write("m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n");
+    files_.write("m.mtl", "newmtl a\nillum 7\nNi 1.5\nmap_Kd 4096.png\n");
+    nlohmann::json scene = plainScene();
+    scene["shapes"].push_back({{"type", "mesh"}, {"file", "m.obj"}});
+    LoadOptions options;
+    options.hostMemory = uint64_t{64} << 20;
+    options.deviceTextureMemory = [] { return DeviceTextureMemory{0, "no GPU", true}; };
+    expectContains(messageOf<Error>(scene, options), "corrupt"); // it has no texels
+}
+
 } // namespace
 } // namespace calotype::test

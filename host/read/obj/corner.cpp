@@ -30,4 +30,15 @@ std::optional<ObjCorner> parseObjCorner(std::string_view word) {
     return std::nullopt;
 }
 
+bool parseObjFace(TextCursor cursor, std::vector<ObjCorner>& corners) {
+    corners.clear();
+    while (!cursor.atEnd()) {
+        const std::optional<ObjCorner> corner = parseObjCorner(cursor.word());
+        if (!corner)
+            return false;
+        corners.push_back(*corner);
+    }
+    return true;
+}
+
 } // namespace calotype

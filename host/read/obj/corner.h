@@ -1,10 +1,15 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
+#include <vector>
+
+#include "base/text_cursor.h"
 
 namespace calotype {
 
@@ -18,6 +23,16 @@ using ObjCorner = std::array<std::optional<int64_t>, kObjDataCount>;
 /// Reads "p", "p/t", "p/t/n" or "p//n"; fields after the first may be empty. An index outside the
 /// range of int64_t becomes its end. nullopt for anything else.
 std::optional<ObjCorner> parseObjCorner(std::string_view word);
+
+/// Reads the corners of a face up to the end or a comment; false if one of them cannot be read.
+bool parseObjFace(TextCursor cursor, std::vector<ObjCorner>& corners);
+
+/// Whether some of the corners, but not all, name data of this kind.
+inline bool isPartial(std::span<const ObjCorner> corners, ObjData kind) {
+    return std::ranges::any_of(corners, [&](const ObjCorner& corner) {
+        return corner[kind].has_value() != corners.front()[kind].has_value();
+    });
+}
 
 /// Instead of an index that is not given; equal to Mesh::kNoNormal and Mesh::kNoUv.
 constexpr uint32_t kNoObjData = ~0u;

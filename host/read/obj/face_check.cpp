@@ -1,9 +1,9 @@
 #include "read/obj/face_check.h"
 
-#include <algorithm>
+#include <string>
+#include <utility>
 #include <vector>
 
-#include "base/error.h"
 #include "base/text_cursor.h"
 #include "read/obj/lines.h"
 
@@ -12,12 +12,11 @@ namespace {
 
 class FaceChecker {
 public:
-    FaceChecker(const std::string& path, const ObjOutline& outline)
-        : path_(path), outline_(outline) {}
+    explicit FaceChecker(const ObjOutline& outline) : outline_(outline) {}
 
     void addLine(size_t number, std::string_view line) {
         TextCursor cursor(line);
-        const std::string_view keyword = cursor.word();
+        const std::string keyword = objKeyword(cursor);
         if (keyword == "v")
             ++counts_[kObjPosition];
         else if (keyword == "vt")
@@ -33,44 +32,46 @@ public:
 private:
     using DataState = ObjOutline::DataState;
 
-    void addFace(size_t number, TextCursor& cursor) {
-        face_.clear();
-        while (!cursor.atEnd())
-            face_.push_back(parseObjCorner(cursor.word()).value_or(ObjCorner()));
-        if (face_.size() < 3)
+    void addFace(size_t number, const TextCursor& cursor) {
+        if (!parseObjFace(cursor, face_) || face_.size() < 3)
             return;
-        for (const ObjData kind : {kObjPosition, kObjTexcoord, kObjNormal}) {
-            const DataState state = worstOf(kind);
-            if (state == DataState::Usable)
-                continue;
-            (state == DataState::Missing ? faults_.missing : faults_.unusable)[kind].add(number);
-            if (kind == kObjPosition)
+        for (const ObjData kind : {kObjPosition, kObjTexcoord, kObjNormal})
+            if (!addFault(number, kind) && kind == kObjPosition)
                 return; // the face is left out, so the rest does not matter
-        }
     }
 
-    /// Of the face's corners: that of the first which is not usable.
-    DataState worstOf(ObjData kind) const {
-        DataState worst = DataState::Usable;
+    /// True if there is no fault of this kind.
+    bool addFault(size_t number, ObjData kind) {
+        if (isPartial(face_, kind)) {
+            faults_.partial[kind].add(number);
+            return false;
+        }
         for (const ObjCorner& corner : face_) {
             if (!corner[kind])
                 continue;
             const uint32_t index = resolveObjIndex(corner[kind], counts_[kind]);
-            requireReadable(kind, index);
-            if (worst == DataState::Usable)
-                worst = outline_.stateOf(kind, index);
+            const DataState state = outline_.stateOf(kind, index);
+            if (state == DataState::Usable)
+                continue;
+            if (state == DataState::Missing)
+                faults_.missing[kind].add(number);
+            else
+                addUnusable(number, kind, index);
+            return false;
         }
-        return worst;
+        return true;
     }
 
-    void requireReadable(ObjData kind, uint32_t index) const {
+    void addUnusable(size_t number, ObjData kind, uint32_t index) {
         const auto found = outline_.unreadable[kind].find(index);
-        if (found != outline_.unreadable[kind].end())
-            throw SceneError(path_ + ":" + std::to_string(found->second.line),
-                             found->second.message);
+        if (found == outline_.unreadable[kind].end())
+            return faults_.unusable[kind].add(number);
+        if (faults_.unreadable[kind].count() == 0)
+            faults_.firstUnreadable[kind] =
+                "line " + std::to_string(found->second.line) + ": " + found->second.message;
+        faults_.unreadable[kind].add(number);
     }
 
-    const std::string& path_;
     const ObjOutline& outline_;
     std::array<size_t, kObjDataCount> counts_{}; ///< of vertex data so far
     std::vector<ObjCorner> face_;
@@ -79,9 +80,9 @@ private:
 
 } // namespace
 
-FaceFaults checkFaces(std::string_view text, const std::string& path, const ObjOutline& outline,
+FaceFaults checkFaces(std::string_view text, const ObjOutline& outline,
                       const OnProgress& onProgress) {
-    FaceChecker checker(path, outline);
+    FaceChecker checker(outline);
     const size_t lines = lineCount(text);
     forEachObjLine(text, [&](size_t number, std::string_view line) {
         reportStep(onProgress, number, lines);

@@ -10,15 +10,18 @@
 
 namespace calotype {
 
-/// Polygons whose corners name vertex data that does not exist or cannot be used, by kind.
+/// Polygons that are left out or lose data, by the kind of the data.
 struct FaceFaults {
-    std::array<Occurrences, kObjDataCount> missing;
-    std::array<Occurrences, kObjDataCount> unusable;
+    std::array<Occurrences, kObjDataCount> missing;    ///< the data does not exist
+    std::array<Occurrences, kObjDataCount> unusable;   ///< it is out of range
+    std::array<Occurrences, kObjDataCount> unreadable; ///< it is in ObjOutline::unreadable
+    std::array<Occurrences, kObjDataCount> partial;    ///< only some corners name some
+    /// About the first unreadable data: "line 7: "x" is not a number".
+    std::array<std::string, kObjDataCount> firstUnreadable;
 };
 
-/// Finds these polygons in the text that `outline` describes. Throws SceneError at "PATH:LINE" of
-/// vertex data that one of them uses but that is unreadable.
-FaceFaults checkFaces(std::string_view text, const std::string& path, const ObjOutline& outline,
+/// Finds these polygons in the text that `outline` describes.
+FaceFaults checkFaces(std::string_view text, const ObjOutline& outline,
                       const OnProgress& onProgress = {});
 
 } // namespace calotype

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/lowercase.h"
 #include "base/text_cursor.h"
 
 namespace calotype {
@@ -12,6 +13,9 @@ namespace calotype {
 inline std::string_view withoutByteOrderMark(std::string_view text) {
     return text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
 }
+
+/// The first word of a line of an OBJ, in lower case: some exporters write capitals.
+inline std::string objKeyword(TextCursor& cursor) { return lowercase(cursor.word()); }
 
 /// The number of lines, or fewer if some end in CR alone; for the progress.
 inline size_t lineCount(std::string_view text) {

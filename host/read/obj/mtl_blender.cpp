@@ -52,9 +52,7 @@ MtlMaterial inBlendersMeaning(MtlMaterial mtl, const std::string& name, MtlNotes
         if (model == 0.0 || model == 1.0)
             mtl.specular = glm::dvec3(0.0);
     } else if (mtl.exponentMap || mtl.specularMap || mtl.reflectionMap) {
-        notes.add("map_Ns, map_Ks and map_refl, which say nothing beside a coloured Ks or Ka, were "
-                  "ignored",
-                  name);
+        notes.add("map_Ns, map_Ks and map_refl were ignored, because Ks or Ka is not grey,", name);
     }
     // 3 and 6 mark metals, 6 and 9 opacity; none of them marks mirrors or glass.
     if (!mtl.filter && (model == 3.0 || model == 6.0 || model == 9.0))

@@ -20,7 +20,9 @@ constexpr const char* kUnreadable =
 constexpr const char* kWordsBehind = "statements with words behind their numbers, which were "
                                      "ignored";
 constexpr const char* kOtherColorSpaces =
-    "spectral and CIE XYZ colours, which are not supported yet and were ignored";
+    "spectral and CIE XYZ colours, which are not supported and were ignored";
+constexpr const char* kRepeated =
+    "materials that are defined again, of which the first definition is used";
 constexpr const char* kNoFileName = "texture statements without a file name, which were ignored";
 constexpr const char* kBadOptions =
     "texture statements whose options cannot be read, which were ignored";
@@ -131,18 +133,26 @@ public:
             return;
         const std::string_view written = cursor.word();
         const std::string keyword = lowercase(written);
-        if (keyword == "newmtl") {
-            current_ = &file_.materials[std::string(trimmed(cursor.rest()))];
-            current_->directory = directory_;
-            current_->isFromBlender = isFromBlender_;
-        } else if (current_ != nullptr) { // else ignored: often a title without its '#'
+        if (keyword == "newmtl")
+            beginMaterial(std::string(trimmed(cursor.rest())));
+        else if (current_ != nullptr) // else ignored: often a title without its '#'
             readStatement(keyword, written, cursor);
-        }
     }
 
     MtlFile takeFile() { return std::move(file_); }
 
 private:
+    /// As between files, the first material of a name is used. The statements of others are
+    /// ignored.
+    void beginMaterial(const std::string& name) {
+        const auto [entry, isNew] = file_.materials.try_emplace(name);
+        current_ = isNew ? &entry->second : nullptr;
+        if (!isNew)
+            return remark(kRepeated);
+        current_->directory = directory_;
+        current_->isFromBlender = isFromBlender_;
+    }
+
     void remark(const char* sentence) { file_.remarks[sentence].add(number_); }
 
     void readStatement(const std::string& keyword, std::string_view written, TextCursor& cursor) {

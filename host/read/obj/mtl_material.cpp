@@ -6,28 +6,24 @@
 
 #include <glm/common.hpp>
 
+#include "base/number_text.h"
 #include "math/greatest.h"
 #include "math/square.h"
 #include "read/obj/mtl_blender.h"
+#include "read/obj/mtl_kind.h"
 #include "scene/ranges.h"
 
 namespace calotype {
 namespace {
 
-constexpr double kMetallic = 0.5;
-constexpr double kTransmissive = 0.5;
 constexpr double kMetalRoughness = 0.5;
-constexpr double kBlack = 0.05;
-constexpr double kBright = 0.5;
 constexpr double kGlassIor = 1.5;
 constexpr double kUsualLevel = 0.5; ///< of specular light: its F0 is that of the index
 
 class MtlMapping {
 public:
     MtlMapping(const MtlMaterial& mtl, const std::string& name, MtlMaps& maps, MtlNotes& notes)
-        : mtl_(mtl), name_(name), maps_(maps), notes_(notes),
-          illumination_(static_cast<int>(std::clamp(mtl.illumination.value_or(2.0), -1.0, 11.0))),
-          filter_(mtl.filter.value_or(glm::dvec3(1.0))) {}
+        : mtl_(mtl), name_(name), maps_(maps), notes_(notes), kind_(mtl) {}
 
     Material map() {
         specular_ = specular();
@@ -77,7 +73,8 @@ private:
         if (greatest(-stated) > 0.0)
             note("Ke below 0 was raised to 0");
         if (greatest(stated) > ranges::kEmitter.high)
-            note("Ke was lowered to its greatest value");
+            note("Ke above " + shortNumber(ranges::kEmitter.high) + " was lowered to " +
+                 shortNumber(ranges::kEmitter.high));
         const glm::dvec3 clamped = glm::clamp(stated, 0.0, ranges::kEmitter.high);
         if (greatest(clamped) >= ranges::kEmitter.low || clamped == glm::dvec3(0.0))
             return clamped;
@@ -87,10 +84,10 @@ private:
 
     /// The emission of a material is one radiance: a map is replaced by its mean.
     glm::dvec3 emission() {
-        const auto stated = mtl_.emission.value_or(glm::dvec3(mtl_.emissionMap ? 1.0 : 0.0));
+        const glm::dvec3 stated = kind_.emission();
         if (!mtl_.emissionMap || greatest(stated) <= 0.0)
             return radiance(stated);
-        note("map_Ke shines with its mean colour, since emission cannot be textured yet,");
+        note("the mean colour of map_Ke is used for emission, which cannot be textured,");
         const auto mean = maps_.meanColor(*mtl_.emissionMap, mtl_.directory);
         return radiance(mean ? stated * *mean : mtl_.emission.value_or(glm::dvec3(0.0)));
     }
@@ -140,29 +137,10 @@ private:
         return 1.0 - clamped("Tr", mtl_.transparency.value_or(0.0), ranges::kShare);
     }
 
-    bool isIllumination(std::initializer_list<int> models) const {
-        return std::ranges::find(models, illumination_) != models.end();
-    }
-
-    /// Tinted glass of exporters that write no index; without its filter it would be black.
-    bool isBlackFilter() const {
-        const bool tints = greatest(filter_) > 0.0 && filter_ != glm::dvec3(1.0);
-        return tints && !mtl_.diffuseMap && greatest(material_.color) <= kBlack;
-    }
-
     /// Glass itself cannot emit light, and a surface with holes is thin.
     bool isGlass() const {
-        const bool transmits = mtl_.dissolve.value_or(1.0) < 1.0 ||
-                               mtl_.transparency.value_or(0.0) > 0.0 ||
-                               mtl_.ior.value_or(1.0) != 1.0 || isBlackFilter();
-        return ((isIllumination({4, 6, 7, 9}) && transmits) || mtl_.transmission > kTransmissive) &&
-               material_.emission == glm::dvec3(0.0) &&
+        return kind_.isTransmissive() && material_.emission == glm::dvec3(0.0) &&
                material_.alphaTexture == Material::kNoTexture;
-    }
-
-    bool isMirror() const {
-        return isIllumination({3, 5}) && !mtl_.diffuseMap && greatest(material_.color) <= kBlack &&
-               greatest(specular_) >= kBright;
     }
 
     /// The metallic share cannot be textured: a map is replaced by its mean.
@@ -172,7 +150,7 @@ private:
                                            : std::optional<double>();
         if (mean) {
             note("a map of the metallic share was replaced by its mean, since it cannot be "
-                 "textured yet,");
+                 "textured,");
             return mtl_.metallic ? stated * *mean : *mean;
         }
         if (stated > 0.0 && stated < 1.0)
@@ -188,14 +166,14 @@ private:
             readRoughness(exponent);
         } else if (isGlass()) {
             becomeGlass();
-        } else if (isMirror()) {
+        } else if (kind_.isMirror()) {
             becomeMetal();
             material_.color = share("Ks", specular_);
             material_.roughness = 0.0;
         } else if (mtl_.roughness || mtl_.roughnessMap) {
             becomeNonmetal();
             readRoughness(exponent);
-        } else if (greatest(specular_) > 0.0 && exponent > 0.0 && !isIllumination({0, 1})) {
+        } else if (greatest(specular_) > 0.0 && exponent > 0.0 && !kind_.isIllumination({0, 1})) {
             becomeGlossy(exponent);
         }
         if (mtl_.transmission > 0.0 && material_.type != MaterialType::Metal &&
@@ -222,7 +200,8 @@ private:
             if (mtl_.dissolve.value_or(1.0) < 1.0)
                 note("d of glass was ignored");
         } else {
-            material_.color = greatest(filter_) > 0.0 ? share("Tf", filter_) : glm::dvec3(1.0);
+            material_.color =
+                greatest(kind_.filter()) > 0.0 ? share("Tf", kind_.filter()) : glm::dvec3(1.0);
         }
         material_.ior = indexOfGlass();
     }
@@ -287,8 +266,7 @@ private:
     const std::string& name_;
     MtlMaps& maps_;
     MtlNotes& notes_;
-    int illumination_;
-    glm::dvec3 filter_;
+    MtlKind kind_;
     glm::dvec3 specular_{0.0};
     Material material_;
 };
@@ -300,6 +278,11 @@ Material materialFromMtl(const MtlMaterial& mtl, const std::string& name, MtlMap
     if (mtl.isFromBlender)
         return MtlMapping(inBlendersMeaning(mtl, name, notes), name, maps, notes).map();
     return MtlMapping(mtl, name, maps, notes).map();
+}
+
+void visitImagesOf(const MtlMaterial& mtl, const MtlKind::VisitImage& visit) {
+    MtlNotes unused;
+    MtlKind(mtl.isFromBlender ? inBlendersMeaning(mtl, "", unused) : mtl).visitImages(visit);
 }
 
 } // namespace calotype

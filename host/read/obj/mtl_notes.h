@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/names.h"
+#include "base/number_text.h"
 #include "base/range.h"
 #include "read/read_context.h"
 
@@ -26,10 +27,12 @@ public:
     /// `value` clamped to a closed range, with a remark if that changes it.
     double clamped(const std::string& statement, double value, const Range& range,
                    const std::string& material) {
+        const std::string low = shortNumber(range.low);
+        const std::string high = shortNumber(range.high);
         if (value < range.low)
-            add(statement + " was raised to its least value", material);
+            add(statement + " below " + low + " was raised to " + low, material);
         else if (value > range.high)
-            add(statement + " was lowered to its greatest value", material);
+            add(statement + " above " + high + " was lowered to " + high, material);
         return std::clamp(value, range.low, range.high);
     }
 

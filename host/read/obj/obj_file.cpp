@@ -115,7 +115,7 @@ private:
             return;
         const bool hasNormals = areUsable(polygon, kObjNormal, &Corner::normal);
         const bool hasUvs = areUsable(polygon, kObjTexcoord, &Corner::uv);
-        const bool lacksNormals = std::ranges::all_of(
+        const bool lacksNormals = std::ranges::any_of(
             polygon, [](const Corner& corner) { return corner.normal == kNoObjData; });
         polygon_.clear();
         for (const Corner& corner : polygon)
@@ -153,7 +153,8 @@ void requireFaces(const ObjFile& file, const ObjOutline& outline, const std::str
         throw SceneError(path, "the file has no vertices; is it a Wavefront OBJ?");
     if (!file.triangles.empty())
         return;
-    if (outline.polygons == 0 && outline.smallFaces.count() == 0) {
+    if (outline.polygons == 0 && outline.smallFaces.count() == 0 &&
+        outline.unreadableFaces.count() == 0) {
         throw SceneError(path,
                          "the file has no faces; points, lines and curves cannot be rendered");
     }
@@ -164,12 +165,11 @@ void requireFaces(const ObjFile& file, const ObjOutline& outline, const std::str
 
 ObjFile parseObj(std::string_view text, const std::string& path, const OnProgress& onProgress) {
     text = withoutByteOrderMark(text);
-    const ObjOutline outline = outlineOfObj(text, path, partOf(onProgress, 0.0, 0.3));
+    const ObjOutline outline = outlineOfObj(text, partOf(onProgress, 0.0, 0.3));
     ObjFile file;
-    file.notes =
-        notesOn(outline, outline.needsFaceCheck()
-                             ? checkFaces(text, path, outline, partOf(onProgress, 0.3, 0.5))
-                             : FaceFaults());
+    file.notes = notesOn(outline, outline.needsFaceCheck()
+                                      ? checkFaces(text, outline, partOf(onProgress, 0.3, 0.5))
+                                      : FaceFaults());
     std::string rewritten;
     if (outline.needsRewriting || text.find('\\') != std::string_view::npos) {
         rewritten = textForTinyobj(text, partOf(onProgress, 0.5, 0.6));

@@ -36,8 +36,8 @@ struct ObjFile {
 };
 
 /// Parses the text of the OBJ file at `path` (the name for messages). Faces that cannot be rendered
-/// are left out, see docs/obj.md. Throws SceneError at "PATH:LINE" like outlineOfObj and
-/// checkFaces, and at "PATH" if there is no polygon at all or all were left out.
+/// are left out, see docs/obj.md. Throws SceneError at `path` if there is no polygon at all or all
+/// were left out.
 ObjFile parseObj(std::string_view text, const std::string& path, const OnProgress& onProgress = {});
 
 } // namespace calotype

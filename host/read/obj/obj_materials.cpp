@@ -32,7 +32,7 @@ struct Ignored {
             if (!names.empty()) {
                 const std::vector<std::string> list(names.begin(), names.end());
                 const std::string kind =
-                    std::string("these MTL ") + what + " are not supported yet and were ignored: ";
+                    std::string("these MTL ") + what + " are not supported and were ignored: ";
                 context.warn(where, kind + listInQuotes(list), kind);
             }
         };
@@ -41,7 +41,7 @@ struct Ignored {
     }
 
 private:
-    /// A coat's roughness says nothing without a coat, nor the direction of no anisotropy.
+    /// Pcr has no effect without Pc, nor anisor without aniso.
     static bool mattersIn(const MtlMaterial& mtl, const std::string& keyword) {
         const auto has = [&](const char* other) { return mtl.unsupported.contains(other); };
         return (keyword != "pcr" || has("pc") || has("map_pc")) &&
@@ -72,7 +72,7 @@ public:
     void requireMemoryForTextures(const NeededMaterials& needed) {
         for (size_t i = 0; i < obj_.materialNames.size(); ++i)
             if (const MtlMaterial* mtl = library_->find(obj_.materialNames[i]).material;
-                mtl && needed[i])
+                mtl && needed[i] && !(*indices_)[i]) // else they are counted already
                 countTextures(*mtl);
         context_.textureBudget.require(context_.options);
     }
@@ -103,16 +103,9 @@ public:
 
 private:
     void countTextures(const MtlMaterial& mtl) {
-        const auto count = [&](const std::optional<MtlTexture>& map, bool isUploaded) {
-            if (map)
-                countTexture(map->file, mtl.directory, isUploaded, context_);
-        };
-        for (const auto* map : {&mtl.diffuseMap, &mtl.alphaMap, &mtl.roughnessMap, &mtl.exponentMap,
-                                &mtl.specularMap, mtl.normalMap ? &mtl.normalMap : &mtl.bumpMap})
-            count(*map, true);
-        // Their means alone are used.
-        for (const auto* map : {&mtl.emissionMap, &mtl.metallicMap, &mtl.reflectionMap})
-            count(*map, false);
+        visitImagesOf(mtl, [&](const MtlTexture& map, bool isUploaded) {
+            countTexture(map.file, mtl.directory, isUploaded, context_);
+        });
     }
 
     uint32_t addMaterial(size_t i) {

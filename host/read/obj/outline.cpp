@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include "base/error.h"
 #include "base/lowercase.h"
 #include "base/names.h"
 #include "base/text_cursor.h"
@@ -32,8 +31,6 @@ constexpr std::array<std::string_view, 14> kUnrendered = {
 
 class OutlineReader {
 public:
-    explicit OutlineReader(const std::string& path) : path_(path) {}
-
     ObjOutline read(std::string_view text, const OnProgress& onProgress) {
         const size_t lines = lineCount(text);
         forEachObjLine(text, [&](size_t number, std::string_view line) {
@@ -48,10 +45,6 @@ public:
     }
 
 private:
-    [[noreturn]] void fail(const std::string& message) const {
-        throw SceneError(path_ + ":" + std::to_string(number_), message);
-    }
-
     void addLine(std::string_view line) {
         if (line.empty())
             return;
@@ -61,7 +54,8 @@ private:
             return;
         }
         TextCursor cursor(line);
-        const std::string_view keyword = cursor.word();
+        const std::string keyword = objKeyword(cursor);
+        outline_.needsRewriting = outline_.needsRewriting || !line.starts_with(keyword);
         if (keyword == "v") {
             addVertexData(kObjPosition, cursor);
         } else if (keyword == "vt") {
@@ -77,8 +71,10 @@ private:
             smoothingGroup_ = groupOf(cursor.word());
         } else if (keyword == "mtllib") {
             outline_.libraries.emplace_back(trimmed(cursor.rest()));
+        } else if (keyword == "vc") {
+            outline_.coloredLines.add(number_);
         } else if (std::ranges::find(kUnrendered, keyword) != kUnrendered.end()) {
-            addUnrendered(std::string(keyword));
+            addUnrendered(keyword);
         }
     }
 
@@ -114,32 +110,27 @@ private:
                               std::to_string(kFewestNumbers[kind]) + " numbers, not " +
                               std::to_string(numbers));
         } else if (!isUsable || (kind == kObjNormal && isZero)) {
-            outline_.isUnusable[kind].resize(index + 1);
-            outline_.isUnusable[kind][index] = true;
+            addUnusable(kind, index);
         }
         if (kind == kObjPosition && numbers >= kNumbersWithColor)
             outline_.coloredLines.add(number_);
     }
 
     void addUnreadable(ObjData kind, size_t index, const std::string& message) {
+        addUnusable(kind, index);
         outline_.unreadable[kind].emplace_hint(outline_.unreadable[kind].end(), index,
                                                ObjOutline::Unreadable{number_, message});
     }
 
-    void addFace(TextCursor& cursor) {
-        face_.clear();
-        while (!cursor.atEnd()) {
-            const std::string_view word = cursor.word();
-            const auto corner = parseObjCorner(word);
-            if (!corner) {
-                fail("the corner " + inQuotes(word) +
-                     " is malformed; it should read like 1, 1/2, 1//3 or 1/2/3");
-            }
-            face_.push_back(*corner);
-            outline_.needsRewriting = outline_.needsRewriting || word.back() == '/';
-        }
-        if (face_.size() < 3) {
-            outline_.smallFaces.add(number_);
+    void addUnusable(ObjData kind, size_t index) {
+        outline_.isUnusable[kind].resize(index + 1);
+        outline_.isUnusable[kind][index] = true;
+    }
+
+    void addFace(const TextCursor& cursor) {
+        const bool isReadable = parseObjFace(cursor, face_);
+        if (!isReadable || face_.size() < 3) {
+            (isReadable ? outline_.smallFaces : outline_.unreadableFaces).add(number_);
             outline_.needsRewriting = true; // to leave it out
             return;
         }
@@ -147,11 +138,19 @@ private:
             for (size_t kind = 0; kind < kObjDataCount; ++kind)
                 if (corner[kind])
                     addIndex(ObjData(kind), *corner[kind]);
-        outline_.needsRewriting = outline_.needsRewriting || !cursor.rest().empty();
+        outline_.hasPartialFaces = outline_.hasPartialFaces || isPartial(face_, kObjTexcoord) ||
+                                   isPartial(face_, kObjNormal);
+        outline_.needsRewriting = outline_.needsRewriting || isMisreadByTinyobj(cursor.rest());
         noteMaterial();
         noteSmoothing();
         ++outline_.polygons;
         outline_.corners += face_.size();
+    }
+
+    /// Comments and empty last fields are misread. `corners` are readable.
+    static bool isMisreadByTinyobj(std::string_view corners) {
+        return corners.find('#') != corners.npos || corners.find("/ ") != corners.npos ||
+               corners.find("/\t") != corners.npos || corners.ends_with('/');
     }
 
     void addIndex(ObjData kind, int64_t index) {
@@ -198,7 +197,6 @@ private:
             keywords.push_back(keyword);
     }
 
-    const std::string& path_;
     ObjOutline outline_;
     size_t number_ = 0; ///< of the line at hand
     std::vector<ObjCorner> face_;
@@ -212,9 +210,8 @@ private:
 
 } // namespace
 
-ObjOutline outlineOfObj(std::string_view text, const std::string& path,
-                        const OnProgress& onProgress) {
-    return OutlineReader(path).read(text, onProgress);
+ObjOutline outlineOfObj(std::string_view text, const OnProgress& onProgress) {
+    return OutlineReader().read(text, onProgress);
 }
 
 } // namespace calotype

@@ -43,26 +43,29 @@ struct ObjOutline {
     std::vector<SmoothingRun> smoothingRuns;
     std::vector<std::string> libraries; ///< what follows each "mtllib"
 
-    /// By kind and index: whether numbers are not finite, a normal is zero, or a texture coordinate
-    /// is outside ranges::kTextureCoordinate. The rest, beyond the end, is usable.
+    /// By kind and index: whether numbers are unreadable or not finite, a normal is zero, or a
+    /// texture coordinate is outside ranges::kTextureCoordinate. The rest, beyond the end, is
+    /// usable.
     std::array<std::vector<bool>, kObjDataCount> isUnusable;
     /// By kind and index.
     std::array<std::map<size_t, Unreadable>, kObjDataCount> unreadable;
-    Occurrences smallFaces;   ///< of fewer than three corners; they are not counted as polygons
-    Occurrences coloredLines; ///< with the colour of a vertex
-    Occurrences unrendered;   ///< statements that would show something but are not rendered
+    Occurrences smallFaces;      ///< of fewer than three corners; they are not counted as polygons
+    Occurrences unreadableFaces; ///< with a corner that cannot be read; not counted either
+    Occurrences coloredLines;    ///< with the colour of a vertex
+    Occurrences unrendered;      ///< statements that would show something but are not rendered
     std::vector<std::string> unrenderedKeywords; ///< of these, each once
     bool hasBadIndices = false;                  ///< of polygons: 0 or out of range
+    bool hasPartialFaces = false;                ///< polygons for which isPartial is true
 
     /// Whether tinyobjloader would misread the file, because of comments after faces, empty last
-    /// fields, faces of no corner, or some numbers.
+    /// fields, faces that are left out, keywords in capitals, or some numbers.
     bool needsRewriting = false;
 
     /// Whether checkFaces may find something.
     bool needsFaceCheck() const {
-        bool needs = hasBadIndices;
+        bool needs = hasBadIndices || hasPartialFaces;
         for (size_t kind = 0; kind < kObjDataCount; ++kind)
-            needs = needs || !isUnusable[kind].empty() || !unreadable[kind].empty();
+            needs = needs || !isUnusable[kind].empty();
         return needs;
     }
 
@@ -75,8 +78,7 @@ struct ObjOutline {
     }
 };
 
-/// Reads the structure of an OBJ. Throws SceneError at "PATH:LINE" for malformed corners.
-ObjOutline outlineOfObj(std::string_view text, const std::string& path,
-                        const OnProgress& onProgress = {});
+/// Reads the structure of an OBJ.
+ObjOutline outlineOfObj(std::string_view text, const OnProgress& onProgress = {});
 
 } // namespace calotype

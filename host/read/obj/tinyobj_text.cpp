@@ -12,12 +12,13 @@
 namespace calotype {
 namespace {
 
-/// Empty if there are fewer than three corners. Corners must not be malformed.
-std::string tidyFace(TextCursor cursor) {
+/// Empty if there are fewer than three corners, or one that cannot be read.
+std::string tidyFace(const TextCursor& cursor) {
+    std::vector<ObjCorner> corners;
+    if (!parseObjFace(cursor, corners) || corners.size() < 3)
+        return "";
     std::string result = "f";
-    size_t corners = 0;
-    for (; !cursor.atEnd(); ++corners) {
-        const ObjCorner corner = parseObjCorner(cursor.word()).value_or(ObjCorner());
+    for (const ObjCorner& corner : corners) {
         result.push_back(' ');
         size_t slashes = 0;
         for (size_t kind = 0; kind < kObjDataCount; ++kind) {
@@ -28,7 +29,7 @@ std::string tidyFace(TextCursor cursor) {
             result.append(std::to_string(tinyobjReadsIndex(*corner[kind]) ? *corner[kind] : 0));
         }
     }
-    return corners < 3 ? "" : result;
+    return result;
 }
 
 std::string tidyVertex(std::string_view keyword, TextCursor cursor) {
@@ -68,7 +69,7 @@ std::string textForTinyobj(std::string_view text, const OnProgress& onProgress) 
     forEachObjLine(text, [&](size_t number, std::string_view line) {
         reportStep(onProgress, number, lines);
         TextCursor cursor(line);
-        const std::string_view keyword = cursor.word();
+        const std::string keyword = objKeyword(cursor);
         if (keyword == "f")
             result.append(tidyFace(cursor));
         else if (keyword == "v" || keyword == "vt" || keyword == "vn")
