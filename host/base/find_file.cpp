@@ -34,6 +34,12 @@ bool isAbsolute(const std::string& name) {
 
 } // namespace
 
+std::string truePath(const fs::path& path) {
+    std::error_code error;
+    const fs::path result = fs::canonical(path, error);
+    return error ? path.string() : result.string();
+}
+
 const FileFinder::Listing& FileFinder::listingOf(const fs::path& folder) {
     const auto [entry, isNew] = listings_.try_emplace(folder.string());
     Listing& listing = entry->second;

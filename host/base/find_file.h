@@ -8,6 +8,10 @@
 
 namespace calotype {
 
+/// The path of a file without links, "." and "..": one for all spellings. `path` itself if nothing
+/// is there.
+std::string truePath(const std::filesystem::path& path);
+
 /// Finds files by names that were written on other machines. Lists each folder once, so that many
 /// names take time in proportion to their number; later changes of the folders are not seen.
 class FileFinder {

@@ -87,4 +87,27 @@ ImageSize checkBmp(std::string_view file, const std::string& where) {
     return size;
 }
 
+std::string withHeaderOfVersion4(std::string_view bmp) {
+    constexpr uint32_t kVersion4 = 108;
+    const uint32_t header = littleEndian32(bmp, 14);
+    if (header != 52 && header != 56)
+        return {};
+    const uint32_t added = kVersion4 - header;
+    std::string result(bmp.substr(0, kBmpFileHeader + header));
+    result.append(added, '\0').append(bmp.substr(kBmpFileHeader + header));
+    const auto write = [&](size_t at, uint32_t value) {
+        for (int i = 0; i < 4; ++i)
+            result[at + i] = static_cast<char>(value >> (8 * i));
+    };
+    write(10, littleEndian32(bmp, 10) + added);
+    write(14, kVersion4);
+    return result;
+}
+
+bool hasReservedByte(std::string_view bmp) {
+    constexpr size_t kCompressionEnd = 34;
+    return bmp.size() >= kCompressionEnd && littleEndian32(bmp, 14) >= 40 &&
+           littleEndian16(bmp, 28) == 32 && littleEndian32(bmp, 30) == 0;
+}
+
 } // namespace calotype

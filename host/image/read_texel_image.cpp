@@ -69,10 +69,18 @@ bool anyTransparent(const std::vector<Sample>& samples, Sample opaque) {
     return false;
 }
 
+void makeOpaque(std::vector<uint8_t>& bytes) {
+    for (size_t i = kTexelChannels - 1; i < bytes.size(); i += kTexelChannels)
+        bytes[i] = 255;
+}
+
 TexelImage readWithStb(const StbFormat& format, std::string_view file, uint32_t largestSide,
                        const std::string& where) {
     const ImageSize size = format.check(file, where);
     checkSize(size, largestSide, where);
+    const std::string rewritten = isBmp(file) ? withHeaderOfVersion4(file) : std::string();
+    if (!rewritten.empty())
+        file = rewritten;
     stbAllocationLimit = memoryFor(size, file.size());
     TexelImage image;
     image.width = size.width;
@@ -89,6 +97,8 @@ TexelImage readWithStb(const StbFormat& format, std::string_view file, uint32_t 
     } else {
         const auto samples = decode(stbi_load_from_memory, file, format, size, where);
         image.bytes.assign(samples.get(), samples.get() + count);
+        if (isBmp(file) && hasReservedByte(file)) // stb_image takes it for alpha
+            makeOpaque(image.bytes);
         image.isTransparent = anyTransparent<uint8_t>(image.bytes, 255);
     }
     return image;

@@ -43,13 +43,23 @@ std::array<double, 256> valuesOfBytes(bool decode) {
     return values;
 }
 
-/// Adds the three colours of all texels; `value` converts each sample.
+/// The mean of the three colours of all texels, see meanColor; `value` converts each sample of a
+/// colour.
 template <typename Sample, typename Value>
-glm::dvec3 sumOf(const std::vector<Sample>& samples, Value value) {
+glm::dvec3 meanOf(const std::vector<Sample>& samples, Value value, AlphaWeights weights) {
     glm::dvec3 sum(0.0);
-    for (size_t i = 0; i < samples.size(); i += 4)
-        sum += glm::dvec3(value(samples[i]), value(samples[i + 1]), value(samples[i + 2]));
-    return sum;
+    glm::dvec3 weightedSum(0.0);
+    double weight = 0.0;
+    for (size_t i = 0; i < samples.size(); i += kTexelChannels) {
+        const glm::dvec3 color(value(samples[i]), value(samples[i + 1]), value(samples[i + 2]));
+        const auto alpha = static_cast<double>(samples[i + 3]);
+        sum += color;
+        weightedSum += alpha * color;
+        weight += alpha;
+    }
+    if (weights == AlphaWeights::Yes && weight > 0.0)
+        return weightedSum / weight;
+    return sum / static_cast<double>(samples.size() / kTexelChannels);
 }
 
 template <typename Sample>
@@ -79,15 +89,15 @@ TexelImage alphaImage(const TexelImage& image, TexelChannel channel) {
         [](float value) { return std::clamp(value, 0.0f, 1.0f); });
 }
 
-glm::dvec3 meanColor(const TexelImage& image, bool decode) {
+glm::dvec3 meanColor(const TexelImage& image, bool decode, AlphaWeights weights) {
     const bool decodes = decode && image.isEncoded;
-    const auto count = static_cast<double>(image.texelCount());
     if (image.holdsBytes()) {
         const std::array<double, 256> values = valuesOfBytes(decodes);
-        return sumOf(image.bytes, [&](uint8_t byte) { return values[byte]; }) / count;
+        return meanOf(
+            image.bytes, [&](uint8_t byte) { return values[byte]; }, weights);
     }
     const auto value = [&](float sample) { return decodes ? linearFromSrgb(sample) : sample; };
-    return sumOf(image.floats, value) / count;
+    return meanOf(image.floats, value, weights);
 }
 
 TexelRange texelRange(const TexelImage& image) {

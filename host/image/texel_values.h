@@ -30,9 +30,12 @@ TexelImage greyImage(const TexelImage& image, TexelChannel channel);
 /// A white image whose alpha is one channel of `image`, clamped to [0, 1].
 TexelImage alphaImage(const TexelImage& image, TexelChannel channel);
 
-/// The mean colour of an image; alpha is ignored. `decode` makes sRGB-encoded colours linear before
-/// averaging, like a colour slot.
-glm::dvec3 meanColor(const TexelImage& image, bool decode);
+enum class AlphaWeights : uint8_t { No, Yes };
+
+/// The mean colour of an image. `decode` makes sRGB-encoded colours linear before averaging, like a
+/// colour slot. With AlphaWeights::Yes each texel is weighted by its alpha; an image whose texels
+/// are all transparent has the mean without weights.
+glm::dvec3 meanColor(const TexelImage& image, bool decode, AlphaWeights weights = AlphaWeights::No);
 
 /// The least and the greatest value of red, green and blue over all texels of an image, bytes
 /// scaled to [0, 1], not decoded.

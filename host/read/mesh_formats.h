@@ -19,4 +19,8 @@ struct MeshFormat {
 /// format needs a folder in read/ and a row in mesh_formats.cpp.
 const MeshFormat& meshFormatOf(const std::string& path);
 
+/// Throws SceneError at `path`, with the kind, for a text that is known to be of another kind than
+/// a mesh that can be read, such as "a PLY mesh".
+void refuseOtherKinds(std::string_view text, const std::string& path);
+
 } // namespace calotype

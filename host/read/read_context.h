@@ -34,8 +34,8 @@ struct ReadContext {
     FileFinder finder = {};
     TextureBudget textureBudget = {};
 
-    /// Image files by path, and images made from them (by path and recipe); nullptr for those that
-    /// cannot be read. Each is read once for all textures.
+    /// Image files by true path, and images made from them (by path and recipe); nullptr for those
+    /// that cannot be read. Each is read once for all textures.
     std::map<std::string, std::shared_ptr<const TexelImage>> images = {};
 
     /// The scene with its hash, and the warnings.

@@ -12,7 +12,7 @@
 namespace calotype {
 namespace {
 
-/// Every device can hold this many bytes of images, so none is opened for the answer.
+/// Below this no device is opened to ask for its memory.
 constexpr uint64_t kFewBytes = uint64_t{64} << 20;
 
 std::string inMebibytes(uint64_t bytes) { return std::to_string(bytes >> 20) + " MiB"; }

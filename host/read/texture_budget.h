@@ -13,8 +13,8 @@ namespace calotype {
 /// that a scene with too many of them is refused before any is decoded.
 class TextureBudget {
 public:
-    /// Counts the image file at `path` once. `isUploaded`: the device gets a copy. A file that
-    /// cannot be read, or with a side above ImageTexture::kLargestSide, is not counted.
+    /// Counts the image file at the true path `path` once. `isUploaded`: the device gets a copy. A
+    /// file that cannot be read, or with a side above ImageTexture::kLargestSide, is not counted.
     void add(const std::string& path, bool isUploaded);
 
     /// Throws GpuError if the device of the options cannot hold the images, and Error if the host

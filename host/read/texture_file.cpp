@@ -3,6 +3,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/find_file.h"
 #include "base/names.h"
 #include "image/read_texel_image.h"
 
@@ -26,7 +27,7 @@ std::string whyMissing(const std::string& name, const std::filesystem::path& dir
 }
 
 void warnOf(const std::string& problem, const std::string& where, ReadContext& context) {
-    context.warn(where, problem + "; colours show magenta, and other maps are left out",
+    context.warn(where, problem + "; a colour shows magenta, another map is left out",
                  "image files that cannot be read");
 }
 
@@ -69,18 +70,18 @@ TextureFile readTextureFile(const std::string& name, const std::filesystem::path
     const auto found = context.finder.find(directory, name);
     if (!found)
         return failOrWarn(name, directory, where, context);
-    const std::string path = found->string();
-    const auto cached = context.images.find(path);
+    const std::string key = truePath(*found);
+    const auto cached = context.images.find(key);
     if (cached != context.images.end())
-        return {path, cached->second};
+        return {key, cached->second};
     try {
-        return {path, context.images[path] = readImageFile(path, where, context)};
+        return {key, context.images[key] = readImageFile(found->string(), where, context)};
     } catch (const SceneError& error) {
         if (context.options.missingTextures == MissingTextures::Fail)
             throw SceneError(error.where(), problemOf(error) + kHint);
         warnOf("the image file " + inQuotes(name) + " cannot be read: " + problemOf(error), where,
                context);
-        context.images[path] = nullptr; // so that it is read once
+        context.images[key] = nullptr; // so that it is read once
         return {};
     }
 }
@@ -88,7 +89,7 @@ TextureFile readTextureFile(const std::string& name, const std::filesystem::path
 void countTexture(const std::string& name, const std::filesystem::path& directory, bool isUploaded,
                   ReadContext& context) {
     if (const auto path = context.finder.find(directory, name))
-        context.textureBudget.add(path->string(), isUploaded);
+        context.textureBudget.add(truePath(*path), isUploaded);
 }
 
 std::shared_ptr<const TexelImage> magentaImage() {

@@ -8,8 +8,8 @@
 
 namespace calotype {
 
-/// The image `name` relative to `directory` (see FileFinder), and the path at which it was found.
-/// Each file is read, decoded and hashed once.
+/// The image `name` relative to `directory` (see FileFinder), and its true path. Each file is read,
+/// decoded and hashed once, in whatever ways its path is written.
 struct TextureFile {
     std::string path;
     std::shared_ptr<const TexelImage> image; ///< nullptr: missing, or cannot be read

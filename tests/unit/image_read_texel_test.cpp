@@ -56,6 +56,46 @@ TEST(ReadTexelImageTest, ReadsPngBmpAndTgaExactly) {
     }
 }
 
+/// A BMP of one pixel of 32 bits with a header of `headerSize` bytes, 40 or more.
+std::string bmp32(uint32_t headerSize, uint32_t compression, const std::vector<uint32_t>& masks,
+                  const std::string& pixel) {
+    std::string fields;
+    const auto append = [&](uint32_t value, int bytes = 4) {
+        for (int i = 0; i < bytes; ++i)
+            fields += static_cast<char>(value >> (8 * i));
+    };
+    for (const uint32_t value : {headerSize, 1u, 1u})
+        append(value);
+    append(1, 2);
+    append(32, 2);
+    for (const uint32_t value : {compression, 4u, 0u, 0u, 0u, 0u})
+        append(value);
+    for (const uint32_t mask : masks)
+        append(mask);
+    if (headerSize > fields.size())
+        fields.resize(headerSize);
+    const auto offset = static_cast<char>(14 + fields.size());
+    return "BM" + std::string(8, '\0') + std::string{offset, 0, 0, 0} + fields + pixel;
+}
+
+// Microsoft's "BITMAPINFOHEADER": with BI_RGB (0) "the high byte in each DWORD is not used". With
+// BI_BITFIELDS (3) the mask of alpha counts, which only headers of 56 bytes and more have.
+TEST(ReadTexelImageTest, FourthByteOfABmpIsAlphaOnlyIfAMaskSaysSo) {
+    const std::vector<uint32_t> colors = {0xff0000, 0xff00, 0xff};
+    const std::vector<uint32_t> all = {0xff0000, 0xff00, 0xff, 0xff000000};
+    const std::string pixel = "\x0a\x14\xc8\x0a"; // blue, green, red and 10
+    const std::pair<std::string, uint8_t> files[] = {
+        {bmp32(40, 0, {}, pixel), 255},   {bmp32(40, 3, colors, pixel), 255},
+        {bmp32(108, 0, all, pixel), 255}, {bmp32(108, 3, colors, pixel), 255},
+        {bmp32(108, 3, all, pixel), 10},  {bmp32(52, 3, colors, pixel), 255},
+        {bmp32(56, 0, all, pixel), 255},  {bmp32(56, 3, all, pixel), 10}};
+    for (const auto& [file, alpha] : files) {
+        const TexelImage image = read(file);
+        EXPECT_EQ(image.bytes, (std::vector<uint8_t>{200, 20, 10, alpha}));
+        EXPECT_EQ(image.isTransparent, alpha < 255);
+    }
+}
+
 TEST(ReadTexelImageTest, ReadsJpegNearly) {
     // One colour, since sharp ones blur.
     std::string jpeg;

@@ -43,5 +43,19 @@ TEST(MeanColorTest, DecodesBeforeItAverages) {
     EXPECT_NEAR(meanColor(floatsOf(samples, true), true).y, 0.2140411, 1e-7);
 }
 
+// sum(a c) / sum(a) by hand.
+TEST(MeanColorTest, WeighsByAlphaIfAsked) {
+    const TexelImage bytes = bytesOf({255, 51, 0, 255, 0, 102, 0, 0, 0, 204, 0, 85}, false);
+    const glm::dvec3 weighted = meanColor(bytes, false, AlphaWeights::Yes);
+    EXPECT_DOUBLE_EQ(weighted.x, 0.75);
+    EXPECT_DOUBLE_EQ(weighted.y, (3.0 * 0.2 + 0.8) / 4.0);
+    EXPECT_DOUBLE_EQ(meanColor(bytes, false).x, 1.0 / 3.0);
+    const TexelImage floats = floatsOf({8.0f, 0.0f, 2.0f, 0.25f, 0.0f, 4.0f, 2.0f, 0.75f}, false);
+    EXPECT_EQ(meanColor(floats, true, AlphaWeights::Yes), glm::dvec3(2.0, 3.0, 2.0));
+    // Nothing can be seen of it: no weights.
+    const TexelImage empty = bytesOf({255, 0, 0, 0, 0, 0, 0, 0}, false);
+    EXPECT_EQ(meanColor(empty, false, AlphaWeights::Yes), glm::dvec3(0.5, 0.0, 0.0));
+}
+
 } // namespace
 } // namespace calotype::test

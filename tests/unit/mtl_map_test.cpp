@@ -163,6 +163,16 @@ TEST_F(MtlMapsTest, MapKeMultipliesKeByItsMean) {
     EXPECT_EQ(load("Ke 3\nmap_Ke none.png\n", options).materials.at(1).emission, glm::dvec3(3.0));
 }
 
+TEST_F(MtlMapsTest, MapKeOfACutOutIsTheMeanOfWhatIsSeen) {
+    files_.write("half.png", pngOf(2, 1, {{255, 255, 255, 255}, {0, 0, 0, 0}}));
+    const auto emission = [&](const std::string& statements) {
+        return load(statements).materials.at(1).emission;
+    };
+    EXPECT_EQ(emission("map_Ke half.png\nmap_d half.png\n"), glm::dvec3(1.0));
+    EXPECT_EQ(emission("Ke 3\nmap_Kd half.png\nmap_Ke half.png\n"), glm::dvec3(3.0));
+    EXPECT_EQ(emission("map_Ke half.png\n"), glm::dvec3(0.5)); // without holes
+}
+
 TEST_F(MtlMapsTest, MissingImages) {
     const SceneError error = errorOfLoading("Kd 1\nmap_Kd my rod.png\n");
     expectError(error, "m.mtl:3", "\"my rod.png\"");

@@ -43,6 +43,37 @@ bool hasWarning(const Scene& scene, const std::string& fragment) {
     return false;
 }
 
+TEST_F(SceneMeshTest, FilesOfOtherKindsAreNamedForWhatTheyAre) {
+    std::string utf16 = "\xff\xfe";
+    for (const char c : std::string(kTwoMaterials))
+        utf16 += {c, '\0'};
+    const std::pair<std::string, const char*> files[] = {
+        {"ply\nformat ascii 1.0\nelement vertex 3\nend_header\n0 0 0\n", "a PLY mesh"},
+        {"solid cube\nfacet normal 0 0 1\nvertex 0 0 0\n", "an STL mesh"},
+        {"glTF\2", "a binary glTF file"},
+        {"{\"asset\": {\"version\": \"2.0\"}}", "a JSON file"},
+        {utf16, "a UTF-16 text"},
+        {"# Blender MTL File\r\n\r\nnewmtl a\nKd 1 1 1\n", "an MTL material library"},
+        {"", "an empty file"}};
+    for (const auto& [text, kind] : files) {
+        files_.write("m.obj", text);
+        const SceneError error = errorOfLoading("");
+        expectError(error, "m.obj", std::string("is ") + kind);
+        expectError(error, "m.obj", "a mesh must be a Wavefront OBJ, a text in UTF-8");
+    }
+    files_.write("m.obj", "# no statement");
+    expectError(errorOfLoading(""), "m.obj", "no vertices");
+    // A strange first line does no harm.
+    files_.write("m.obj", std::string("solid cube\n") + kTwoMaterials);
+    EXPECT_EQ(loadMesh().triangles.size(), 2u);
+}
+
+TEST_F(SceneMeshTest, AWarningNamesTheKindOfAnMtlThatIsNone) {
+    files_.write("m.obj", kTwoMaterials);
+    files_.write("m.mtl", std::string("\xff\xfen\0e\0w\0m\0t\0l\0", 14));
+    EXPECT_TRUE(hasWarning(load(""), "m.mtl: is a UTF-16 text, which has no materials"));
+}
+
 TEST_F(SceneMeshTest, OneMaterialForTheWholeNeedsNoMtl) {
     files_.write("m.obj", kTwoMaterials);
     const Scene scene = load(", \"material\": \"wall\"");

@@ -56,5 +56,36 @@ TEST_F(ReadFilesTest, AScenesAreItsOwnItsModelsAndItsTextures) {
     EXPECT_EQ(found.count("chair.obj"), 1u);
 }
 
+// One file has many spellings: it is read, decoded and kept once.
+TEST_F(ReadFilesTest, AnImageIsReadOnceInAllSpellings) {
+    std::filesystem::create_symlink("plain.png", files_.path("link.png"));
+    const std::string folder = std::filesystem::path(files_.path("")).parent_path().filename();
+    nlohmann::json scene = plainScene();
+    std::string mtl;
+    std::string obj = "mtllib spellings.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\n";
+    int count = 0;
+    for (const std::string& name : std::initializer_list<std::string>{
+             "plain.png", "./plain.png", ".//plain.png", "../" + folder + "/plain.png", "PLAIN.PNG",
+             ".\\plain.png", "link.png", files_.path("plain.png")}) {
+        const std::string key = std::to_string(count++);
+        scene["textures"][key] = {{"type", "image"}, {"file", name}};
+        mtl += "newmtl m" + key + "\nmap_Kd " + name + "\n";
+        obj += "usemtl m" + key + "\nf 1/1 2/1 3/1\n";
+    }
+    files_.write("spellings.mtl", mtl);
+    files_.write("spellings.obj", obj);
+    for (const char* name : {"spellings.obj", "./spellings.obj"})
+        scene["shapes"].push_back({{"type", "mesh"}, {"file", name}});
+    LoadOptions options;
+    options.hostMemory = 16; // that of one copy
+    const LoadedScene loaded = loadScene(files_.write("s.json", scene.dump()), options);
+    EXPECT_EQ(names(loaded), (std::multiset<std::string>{"s.json", "plain.png", "spellings.obj",
+                                                         "spellings.mtl"}));
+    std::set<const TexelImage*> images;
+    for (const Texture& texture : loaded->textures)
+        images.insert(std::get<ImageTexture>(texture.source).image.get());
+    EXPECT_EQ(images.size(), 1u);
+}
+
 } // namespace
 } // namespace calotype::test

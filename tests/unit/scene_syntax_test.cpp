@@ -64,14 +64,35 @@ TEST(SceneSyntaxTest, AllowsADescriptionEverywhere) {
         "description": "a test",
         "camera": { "description": "the view" },
         "film": { "description": "small", "width": 8 },
-        "materials": { "red": { "description": "paint", "type": "diffuse", "color": 0.5 } },
+        "textures": { "description": "patterns",
+                      "squares": { "type": "checker", "colors": [0, 1] } },
+        "materials": { "description": "paints",
+                       "red": { "description": "paint", "type": "diffuse", "color": "squares" } },
         "shapes": [{ "description": "ball", "type": "sphere", "radius": 1, "material": "red",
                      "transform": { "description": "moved", "translate": [1, 0, 0] } }]
     })");
     EXPECT_EQ(scene.film.width, 8u);
+    ASSERT_EQ(scene.materials.size(), 1u);
+    ASSERT_EQ(scene.textures.size(), 1u);
+    EXPECT_EQ(scene.materials[0].name, "red");
+    EXPECT_EQ(scene.textures[0].name, "squares");
     EXPECT_TRUE(scene.warnings.size() <= 1u); // that nothing emits light
     expectError(errorOfText(R"({"camera": {"description": 3}})"), "scene.json: /camera/description",
                 "must be");
+}
+
+// Only a text is no material.
+TEST(SceneSyntaxTest, AMaterialCanBeCalledDescription) {
+    const SceneFiles files;
+    const Scene scene = files.loadText(R"({
+        "camera": {},
+        "materials": { "description": { "type": "diffuse", "color": 0.5 } },
+        "shapes": [{ "type": "sphere", "radius": 1, "material": "description" }]
+    })");
+    ASSERT_EQ(scene.materials.size(), 1u);
+    EXPECT_EQ(scene.materials[0].name, "description");
+    expectError(errorOfText(R"({"camera": {}, "materials": {"description": 3}})"),
+                "scene.json: /materials/description", "must be an object");
 }
 
 TEST(SceneSyntaxTest, SaysThatAFileIsEmpty) {

@@ -89,12 +89,12 @@ Material readMaterial(const JsonValue& value, const std::string& name, JsonConte
 
 } // namespace
 
-JsonType materialsType() { return mapType(anyOf(materialTypes(), "material")); }
+JsonType materialsType() { return objectMapType(anyOf(materialTypes(), "material")); }
 
 void readMaterials(const JsonValue& value, JsonContext& context) {
     if (!value.json().is_object())
         value.fail("must be an object of materials by name");
-    for (const auto& [name, unused] : value.json().items()) {
+    for (const std::string& name : namesInMap(value)) {
         context.addMaterial(readMaterial(value.child(name), name, context));
         context.materialNames.push_back(name);
     }

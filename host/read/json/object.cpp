@@ -127,6 +127,27 @@ JsonType anyOf(const JsonObjectTypes& types, const std::string& definition) {
                                   }});
 }
 
+JsonType objectMapType(const JsonType& object) {
+    return {{}, [=](SchemaJson& definitions) {
+                const SchemaJson value = object.schema(definitions);
+                const std::string& key = descriptionKey().name;
+                const SchemaJson described = {
+                    {"description", "A text has no effect; an object is one of that name."},
+                    {"anyOf", {descriptionKey().type.schema(definitions), value}}};
+                return SchemaJson{{"type", "object"},
+                                  {"properties", {{key, described}}},
+                                  {"additionalProperties", value}};
+            }};
+}
+
+std::vector<std::string> namesInMap(const JsonValue& map) {
+    std::vector<std::string> names;
+    for (const auto& [name, value] : map.json().items())
+        if (name != descriptionKey().name || !value.is_string())
+            names.push_back(name);
+    return names;
+}
+
 size_t readType(const JsonValue& value, const JsonObjectTypes& types) {
     if (!value.json().is_object())
         value.failType("an object");

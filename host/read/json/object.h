@@ -75,6 +75,13 @@ JsonObjectType chosenType(const std::string& name, const std::string& descriptio
 /// Any of `types`, as value of a key.
 JsonType anyOf(const JsonObjectTypes& types, const std::string& definition);
 
+/// An object whose keys are names of objects that the author chooses. A text "description" in it is
+/// no such object and has no effect.
+JsonType objectMapType(const JsonType& object);
+
+/// The names in a value of objectMapType, in order.
+std::vector<std::string> namesInMap(const JsonValue& map);
+
 /// The index in `types` of the type that "type" names.
 size_t readType(const JsonValue& value, const JsonObjectTypes& types);
 

@@ -42,9 +42,8 @@ const JsonObjectType& sceneObject() {
         },
         {},
         "Right-handed, +Y up, metres, degrees. Colours are linear Rec. 709. File paths are "
-        "relative "
-        "to the scene file. Comments // and /* */ are accepted, and \"description\" in every "
-        "object."};
+        "relative to the scene file. Comments // and /* */ are accepted, and a text "
+        "\"description\" in every object but a mesh's \"materials\"."};
     return type;
 }
 

@@ -117,12 +117,12 @@ void requireMemoryForTextures(const JsonValue& textures, const std::optional<Jso
     context.textureBudget.require(context.options);
 }
 
-JsonType texturesType() { return mapType(anyOf(textureTypes(), "texture")); }
+JsonType texturesType() { return objectMapType(anyOf(textureTypes(), "texture")); }
 
 void readTextures(const JsonValue& value, JsonContext& context) {
     if (!value.json().is_object())
         value.fail("must be an object of textures by name");
-    for (const auto& [name, unused] : value.json().items()) {
+    for (const std::string& name : namesInMap(value)) {
         context.addTexture(readTexture(value.child(name), name, context));
         context.textureNames.push_back(name);
     }

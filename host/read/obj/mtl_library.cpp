@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/file_kind.h"
+#include "base/find_file.h"
 #include "base/lowercase.h"
 #include "base/text_cursor.h"
 #include "read/obj/readings.h"
@@ -49,12 +51,6 @@ std::vector<std::string_view> splitAtExtensions(std::string_view text) {
     return names;
 }
 
-std::string truePath(const std::filesystem::path& path) {
-    std::error_code error;
-    const std::filesystem::path result = std::filesystem::canonical(path, error);
-    return error ? path.string() : result.string();
-}
-
 std::shared_ptr<const MtlFile> readMtl(const std::filesystem::path& path, ReadContext& context) {
     context.progress(path, 0.0);
     const std::string text = context.read(path.string(), path.string());
@@ -62,6 +58,9 @@ std::shared_ptr<const MtlFile> readMtl(const std::filesystem::path& path, ReadCo
         return context.finder.find(path.parent_path(), name).has_value();
     };
     auto file = std::make_shared<const MtlFile>(parseMtl(text, path.string(), exists));
+    if (const auto kind = fileKind(text); file->materials.empty() && !text.empty() && !kind.empty())
+        context.warn(path.string(), "is " + std::string(kind) +
+                                        ", which has no materials; an MTL file is a text in UTF-8");
     for (const auto& [remark, occurrences] : file->remarks)
         context.warn(path.string(), remark + ": " + occurrences.text(), remark);
     return file;

@@ -109,12 +109,13 @@ BumpKind MtlMaps::bumpKind(const MtlTexture& map, const std::filesystem::path& d
 }
 
 std::optional<glm::dvec3> MtlMaps::meanColor(const MtlTexture& map,
-                                             const std::filesystem::path& directory) {
+                                             const std::filesystem::path& directory,
+                                             AlphaWeights weights) {
     const auto image = readTextureFile(map.file, directory, map.place, context_).image;
     if (!image)
         return std::nullopt;
-    return cached(cache_.meanColors, {image.get(), !map.isLinear},
-                  [&] { return calotype::meanColor(*image, !map.isLinear); });
+    return cached(cache_.meanColors, {image.get(), !map.isLinear, weights},
+                  [&] { return calotype::meanColor(*image, !map.isLinear, weights); });
 }
 
 std::optional<double> MtlMaps::mean(const MtlTexture& map, const std::filesystem::path& directory) {

@@ -21,7 +21,8 @@ struct MtlMapCache {
     std::map<Key, uint32_t> textures; ///< by all that makes them differ: the first of these
     size_t seenTextures = 0;          ///< how many of Scene::textures are in `textures`
     std::map<const TexelImage*, BumpKind> bumpKinds;
-    std::map<std::pair<const TexelImage*, bool>, glm::dvec3> meanColors; ///< true: decoded
+    std::map<std::tuple<const TexelImage*, bool, AlphaWeights>, glm::dvec3>
+        meanColors; ///< true: decoded
     std::map<std::pair<const TexelImage*, TexelChannel>, double> means;
 };
 
@@ -48,8 +49,8 @@ public:
     /// Normals if the image looks like a normal map (see looksLikeNormals).
     BumpKind bumpKind(const MtlTexture& map, const std::filesystem::path& directory);
     /// The mean colour of the image, linear; nullopt for a missing image.
-    std::optional<glm::dvec3> meanColor(const MtlTexture& map,
-                                        const std::filesystem::path& directory);
+    std::optional<glm::dvec3>
+    meanColor(const MtlTexture& map, const std::filesystem::path& directory, AlphaWeights weights);
     /// The mean of the channel of -imfchan, not decoded; nullopt for a missing image.
     std::optional<double> mean(const MtlTexture& map, const std::filesystem::path& directory);
 

@@ -27,9 +27,9 @@ public:
 
     Material map() {
         specular_ = specular();
-        material_.emission = emission();
         readColor();
         readCutOut();
+        material_.emission = emission();
         chooseType();
         readNormals();
         if (material_.type == MaterialType::Dielectric)
@@ -82,13 +82,16 @@ private:
         return glm::dvec3(0.0);
     }
 
-    /// The emission of a material is one radiance: a map is replaced by its mean.
+    /// The emission of a material is one radiance: a map is replaced by its mean. Where the
+    /// material has holes, the colour of a transparent texel has no meaning (see hasCutOutColors).
     glm::dvec3 emission() {
         const glm::dvec3 stated = kind_.emission();
         if (!mtl_.emissionMap || greatest(stated) <= 0.0)
             return radiance(stated);
         note("the mean colour of map_Ke is used for emission, which cannot be textured,");
-        const auto mean = maps_.meanColor(*mtl_.emissionMap, mtl_.directory);
+        const bool hasHoles = material_.alphaTexture != Material::kNoTexture;
+        const auto mean = maps_.meanColor(*mtl_.emissionMap, mtl_.directory,
+                                          hasHoles ? AlphaWeights::Yes : AlphaWeights::No);
         return radiance(mean ? stated * *mean : mtl_.emission.value_or(glm::dvec3(0.0)));
     }
 

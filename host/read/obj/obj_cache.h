@@ -20,7 +20,7 @@ struct ObjCache {
         std::unique_ptr<const MtlLibrary> library;
         std::vector<std::optional<uint32_t>> indices; ///< see materialsFromMtl
     };
-    std::map<std::string, std::shared_ptr<const ObjFile>> files; ///< by path
+    std::map<std::string, std::shared_ptr<const ObjFile>> files; ///< by true path
     std::map<std::string, Materials> materials;                  ///< by the OBJ's path
     MtlFiles mtlFiles;
     MtlMapCache maps;

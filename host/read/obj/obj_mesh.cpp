@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "base/find_file.h"
 #include "base/names.h"
 #include "read/mesh_formats.h"
 #include "scene/material_textures.h"
@@ -37,10 +38,11 @@ void warnOfMissingUvs(std::span<const Mesh::Triangle> triangles, const ObjMeshIn
 
 std::shared_ptr<const ObjFile> readObj(const std::string& path, const std::string& where,
                                        ObjCache& cache, ReadContext& context) {
-    std::shared_ptr<const ObjFile>& cached = cache.files[path];
+    std::shared_ptr<const ObjFile>& cached = cache.files[truePath(path)];
     if (!cached) {
         context.progress(path, 0.0);
         const std::string text = context.read(path, where);
+        refuseOtherKinds(text, path);
         const auto onProgress = [&](double done) { context.progress(path, 0.7 * done); };
         cached = std::make_shared<ObjFile>(meshFormatOf(path).parse(text, path, onProgress));
         for (const ObjNote& note : cached->notes)
