@@ -1,7 +1,6 @@
 #include "engine/spare_file.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -45,14 +44,10 @@ SpareFile::SpareFile(fs::path path, std::vector<fs::path> folders)
         const fs::path own = path_.has_parent_path() ? path_.parent_path() : fs::path(".");
         return fs::equivalent(folder, own, missing);
     });
-    const auto addVariable = [&](const char* name) {
-        if (const char* folder = std::getenv(name); folder && *folder)
-            folders_.emplace_back(folder);
-    };
-    addVariable("TMPDIR");
-    folders_.insert(folders_.end(), {"/tmp", "/var/tmp"});
-    addVariable("HOME");
-    folders_.emplace_back(".");
+    std::error_code none;
+    if (fs::path temporary = fs::temp_directory_path(none); !none)
+        folders_.push_back(std::move(temporary));
+    folders_.insert(folders_.end(), {"/tmp", "/var/tmp", "."});
 }
 
 void SpareFile::write(const char* what, const Write& write) {
