@@ -166,6 +166,11 @@ TEST_F(ModelSceneTest, ShowsWhatStandsOnAFloorManyTimesLarger) {
     const Scene crumb = load(box + "v 1.2 0 0\nv 1.3 0 0\nv 1.3 0.1 0\nf -3 -2 -1\n");
     ASSERT_EQ(crumb.warnings.size(), 1u);
     EXPECT_NE(crumb.warnings[0].find("shows all of it"), std::string::npos) << crumb.warnings[0];
+    // Also where the small part is a solid.
+    const Scene pebble = load(box + "v 1.2 0 0\nv 1.3 0 0\nv 1.2 0.1 0\nv 1.2 0 0.1\nf -4 -2 -3\n"
+                                    "f -4 -1 -2\nf -4 -3 -1\nf -3 -2 -1\n");
+    ASSERT_EQ(pebble.warnings.size(), 1u);
+    EXPECT_NE(pebble.warnings[0].find("shows all of it"), std::string::npos);
     EXPECT_NEAR(reach(crumb), 0.9, 1e-6);
 }
 
