@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+
+#include "film/looks.h"
 
 namespace calotype {
 
@@ -14,10 +17,12 @@ double shareDone(const RenderPlan& plan, const RenderTotals& totals, double seco
     if (plan.seconds)
         done = std::max(done, seconds / *plan.seconds);
     if (plan.targetError && totals.error) {
-        // Errors fall with the square root of the samples and are checked at each doubling.
-        const auto now = static_cast<double>(totals.samplesPerPixel);
-        const double needed = now * std::pow(totals.error->relative / *plan.targetError, 2.0);
-        const double look = std::max(128.0, std::exp2(std::ceil(std::log2(std::max(1.0, needed)))));
+        // Errors fall with the square root of the samples, and are compared at looks.
+        constexpr double kMost = 1e15; // any number of samples that no render has
+        const double ratio = totals.error->relative / *plan.targetError;
+        const auto samples = static_cast<double>(totals.samplesPerPixel);
+        const double needed = std::clamp(std::ceil(samples * ratio * ratio), 1.0, kMost);
+        const auto look = static_cast<double>(lookAfter(static_cast<uint64_t>(needed) - 1));
         const auto before = static_cast<double>(plan.samplesBefore);
         if (look > before)
             done = std::max(done, paths / (static_cast<double>(plan.pixels) * (look - before)));

@@ -7,21 +7,10 @@
 
 #include "image/read_texel_image.h"
 #include "support/image_files.h"
-#include "unit/scene_files.h"
+#include "unit/texel_reading.h"
 
 namespace calotype::test {
 namespace {
-
-constexpr uint32_t kLargestSide = 64;
-
-TexelImage read(const std::string& file) { return readTexelImage(file, kLargestSide, "image"); }
-
-void expectRefused(const std::string& file, const std::string& fragment) {
-    const SceneError error = errorOf([&] { read(file); });
-    EXPECT_EQ(error.where(), "image");
-    EXPECT_NE(std::string(error.what()).find(fragment), std::string::npos)
-        << error.what() << "\ndoes not say: " << fragment;
-}
 
 std::string hdrFile(uint32_t width, uint32_t height, const std::string& pixels) {
     return "#?RADIANCE\n# made here\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(height) +

@@ -7,21 +7,10 @@
 #include "image/read_texel_image.h"
 #include "image/texel_values.h"
 #include "support/image_files.h"
-#include "unit/scene_files.h"
+#include "unit/texel_reading.h"
 
 namespace calotype::test {
 namespace {
-
-constexpr uint32_t kLargestSide = 64;
-
-TexelImage read(const std::string& file) { return readTexelImage(file, kLargestSide, "image"); }
-
-void expectRefused(const std::string& file, const std::string& fragment) {
-    const SceneError error = errorOf([&] { read(file); });
-    EXPECT_EQ(error.where(), "image");
-    EXPECT_NE(std::string(error.what()).find(fragment), std::string::npos)
-        << error.what() << "\ndoes not say: " << fragment;
-}
 
 /// Four texels: red and green above, blue and a grey below.
 const std::vector<Rgba8> kTexels = {
