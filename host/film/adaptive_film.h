@@ -70,18 +70,20 @@ public:
 
 private:
     struct Half {
-        std::vector<FixedColor> colors;
+        FixedPointArray colors; ///< R, G and B of the first pixel, of the second, ...
         std::vector<uint32_t> blocks;
         std::vector<std::vector<SurveyPixel>> surveys; ///< by level; empty: not begun
     };
 
+    void addTerms(uint32_t block, std::span<const glm::vec4> blockSums,
+                  std::span<const uint8_t> isLeftOut);
     void recordSurvey(uint32_t half, size_t pixel);
 
     uint32_t width_;
     uint32_t height_;
     double unit_;
     std::array<Half, kHalves> halves_;
-    std::vector<FixedPoint> luminances_; ///< those of all pixels for replica 0, 1, ...
+    FixedPointArray luminances_; ///< those of all pixels for replica 0, 1, ...
     uint64_t samples_ = 0;
     uint32_t firstSurvey_ = 0; ///< lowest level that is kept
     FilmLosses losses_;

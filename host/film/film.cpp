@@ -49,8 +49,8 @@ FilmLosses& FilmLosses::operator+=(const FilmLosses& other) {
 Film::Film(uint32_t width, uint32_t height, double unit, const std::vector<std::string>& others)
     : Film(width, height, unit,
            {{},
-            std::vector<FixedPoint>(size_t{width} * height * (kColorChannels + others.size())),
-            std::vector<FixedPoint>(size_t{width} * height * kReplicas),
+            FixedPointArray(size_t{width} * height * (kColorChannels + others.size())),
+            FixedPointArray(size_t{width} * height * kReplicas),
             {}},
            others) {}
 
@@ -73,20 +73,25 @@ void Film::addBlock(uint32_t block, std::span<const glm::vec4> blockSums, const 
     CALOTYPE_CHECK_LT(sums_.blocks.count(), kMaxBlocks);
     sums_.blocks.add({block, block + 1});
     sums_.losses += losses;
-    const std::span<FixedPoint> luminances =
-        std::span(sums_.luminances).subspan(block % kReplicas * pixelCount(), pixelCount());
-    FixedPoint* sums = sums_.channels.data();
-    for (size_t i = 0; i < blockSums.size(); ++i, sums += channels_.size()) {
-        CALOTYPE_CHECK_EQ(blockSums[i].w, float{kSamplesPerBlock});
-        if (const auto term = toFilmTerm(blockSums[i], unit_, sums_.losses)) {
-            sums[0] += term->color.r;
-            sums[1] += term->color.g;
-            sums[2] += term->color.b;
-            luminances[i] += term->luminance;
+    const size_t firstLuminance = block % kReplicas * pixelCount();
+    // Pixels are added by the size of a chunk, so that each chunk of the sums is changed once.
+    std::vector<FixedPoint> channelTerms;
+    std::vector<FixedPoint> luminanceTerms;
+    for (size_t first = 0; first < pixelCount(); first += FixedPointArray::kChunkNumbers) {
+        const size_t end = std::min(first + FixedPointArray::kChunkNumbers, pixelCount());
+        channelTerms.clear();
+        luminanceTerms.clear();
+        for (size_t i = first; i < end; ++i) {
+            CALOTYPE_CHECK_EQ(blockSums[i].w, float{kSamplesPerBlock});
+            const FilmTerm term =
+                toFilmTerm(blockSums[i], unit_, sums_.losses).value_or(FilmTerm{});
+            channelTerms.insert(channelTerms.end(), term.color.begin(), term.color.end());
+            luminanceTerms.push_back(term.luminance);
+            for (const float sum : otherSums.subspan(i * others, others))
+                channelTerms.push_back(isInRange(sum, 1.0) ? toFixedPoint(sum) : 0);
         }
-        for (size_t k = 0; k < others; ++k)
-            if (const float sum = otherSums[i * others + k]; isInRange(sum, 1.0))
-                sums[kColorChannels + k] += toFixedPoint(sum);
+        sums_.channels.add(first * channels_.size(), channelTerms);
+        sums_.luminances.add(firstLuminance + first, luminanceTerms);
     }
 }
 
@@ -97,10 +102,8 @@ void Film::add(const Film& other) {
     CALOTYPE_CHECK_EQ(channels_ == other.channels_, true);
     sums_.blocks.add(other.sums_.blocks);
     CALOTYPE_CHECK_LE(sums_.blocks.count(), kMaxBlocks);
-    for (size_t i = 0; i < sums_.channels.size(); ++i)
-        sums_.channels[i] += other.sums_.channels[i];
-    for (size_t i = 0; i < sums_.luminances.size(); ++i)
-        sums_.luminances[i] += other.sums_.luminances[i];
+    sums_.channels.add(other.sums_.channels);
+    sums_.luminances.add(other.sums_.luminances);
     sums_.losses += other.sums_.losses;
 }
 
@@ -109,9 +112,8 @@ Image Film::picture(std::span<const glm::vec4> partialBlock) const {
         CALOTYPE_CHECK_EQ(partialBlock.size(), pixelCount());
     Image image(width_, height_);
     const auto samplesOfFilm = static_cast<double>(samplesPerPixel());
-    const FixedPoint* sums = sums_.channels.data();
-    for (size_t i = 0; i < pixelCount(); ++i, sums += channels_.size()) {
-        glm::dvec3 sum = unit_ * fromFixedPoint(FixedColor{sums[0], sums[1], sums[2]});
+    for (size_t i = 0; i < pixelCount(); ++i) {
+        glm::dvec3 sum = unit_ * colorSum(sums_.channels, i * channels_.size());
         double samples = samplesOfFilm;
         if (!partialBlock.empty()) {
             const glm::vec4& partial = partialBlock[i];
@@ -151,6 +153,11 @@ std::optional<FilmTerm> toFilmTerm(const glm::vec4& blockSum, double unit, FilmL
     const glm::dvec3 units = glm::dvec3(blockSum) / unit; // exact: a power of two
     return FilmTerm{{toFixedPoint(units.r), toFixedPoint(units.g), toFixedPoint(units.b)},
                     toFixedPoint(luminance(units))};
+}
+
+glm::dvec3 colorSum(const FixedPointArray& sums, size_t red) {
+    return {fromFixedPoint(sums[red]), fromFixedPoint(sums[red + 1]),
+            fromFixedPoint(sums[red + 2])};
 }
 
 uint64_t Film::samplesPerPixel() const { return blocks().count() * kSamplesPerBlock; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -13,6 +14,7 @@
 #include "film/block_ranges.h"
 #include "film/film_losses.h"
 #include "film/fixed_point.h"
+#include "film/fixed_point_array.h"
 #include "image/image.h"
 #include "shared/limits.h"
 
@@ -42,8 +44,8 @@ public:
     /// What a film holds, row by row from the top left pixel, in units.
     struct Sums {
         BlockRanges blocks;
-        std::vector<FixedPoint> channels;   ///< all of the first pixel, all of the second, ...
-        std::vector<FixedPoint> luminances; ///< those of all pixels for replica 0, 1, ...
+        FixedPointArray channels;   ///< all of the first pixel, all of the second, ...
+        FixedPointArray luminances; ///< those of all pixels for replica 0, 1, ...
         FilmLosses losses;
 
         bool operator==(const Sums&) const = default;
@@ -105,11 +107,14 @@ private:
 
 /// The contribution of a pixel's block sum to a film, in units.
 struct FilmTerm {
-    FixedColor color;
+    std::array<FixedPoint, 3> color{}; ///< R, G, B
     FixedPoint luminance = 0;
 };
 
 /// None if the sum is not finite or out of a film's range: then it is counted in `losses`.
 std::optional<FilmTerm> toFilmTerm(const glm::vec4& blockSum, double unit, FilmLosses& losses);
+
+/// R, G and B of a pixel, in units: three sums, the first of which has index `red`.
+glm::dvec3 colorSum(const FixedPointArray& sums, size_t red);
 
 } // namespace calotype

@@ -19,6 +19,7 @@
 #include "base/check.h"
 #include "base/content_hash.h"
 #include "base/error.h"
+#include "base/file_kind.h"
 #include "base/hexadecimal.h"
 #include "base/parallel_for.h"
 #include "base/read_file.h"
@@ -67,25 +68,36 @@ uint64_t checksumOf(std::span<const std::string_view> pieces) {
     return hash.value();
 }
 
-/// Calls use(numbers) for the chunks of all numbers, in the order of the file.
-template <typename Sums, typename Use>
-void forEachChunk(Sums& sums, const Use& use) {
-    const auto cut = [&](auto numbers) {
-        for (size_t first = 0; first < numbers.size(); first += kChunkNumbers)
-            use(numbers.subspan(first, std::min(kChunkNumbers, numbers.size() - first)));
-    };
-    cut(std::span(sums.channels));
-    cut(std::span(sums.luminances));
+/// A chunk of the file: consecutive numbers of one of the film's arrays.
+template <typename Array>
+struct FileChunk {
+    Array* array;
+    size_t first;
+    size_t count;
+};
+
+/// All chunks, in the order of the file. No two of them share a chunk of an array.
+template <typename Array>
+std::vector<FileChunk<Array>> chunksOf(Array& channels, Array& luminances) {
+    static_assert(kChunkNumbers % FixedPointArray::kChunkNumbers == 0);
+    std::vector<FileChunk<Array>> chunks;
+    for (Array* array : {&channels, &luminances})
+        for (size_t first = 0; first < array->size(); first += kChunkNumbers)
+            chunks.push_back({array, first, std::min(kChunkNumbers, array->size() - first)});
+    return chunks;
 }
 
 /// Memory of one thread that all of its chunks use, so that the heap is not cut into pieces.
 struct Scratch {
+    std::vector<FixedPoint> numbers;
     std::string planes;
     std::string compressed;
 };
 
-std::string compress(std::span<const FixedPoint> numbers, Scratch& scratch) {
-    auto& [planes, compressed] = scratch;
+std::string compress(const FileChunk<const FixedPointArray>& chunk, Scratch& scratch) {
+    auto& [numbers, planes, compressed] = scratch;
+    numbers.resize(chunk.count);
+    chunk.array->read(chunk.first, numbers);
     planes.resize(numbers.size() * kNumberBytes);
     for (size_t i = 0; i < numbers.size(); ++i)
         for (size_t byte = 0; byte < kNumberBytes; ++byte)
@@ -100,7 +112,8 @@ std::string compress(std::span<const FixedPoint> numbers, Scratch& scratch) {
 }
 
 /// False where the bytes do not hold that many numbers.
-bool decompress(std::string_view compressed, std::span<FixedPoint> numbers) {
+bool decompress(std::string_view compressed, const FileChunk<FixedPointArray>& chunk) {
+    std::vector<FixedPoint> numbers(chunk.count);
     std::string planes(numbers.size() * kNumberBytes, '\0');
     uLongf size = planes.size();
     if (uncompress(reinterpret_cast<Bytef*>(planes.data()), &size,
@@ -115,6 +128,7 @@ bool decompress(std::string_view compressed, std::span<FixedPoint> numbers) {
                     << 8 * byte;
         numbers[i] = static_cast<FixedPoint>(bits);
     }
+    chunk.array->write(chunk.first, numbers);
     return true;
 }
 
@@ -221,10 +235,9 @@ KeptFilm readParts(const Json& description, std::string_view compressed, uint32_
     };
     sums.losses = {count("non_finite_samples"), count("cut_paths"), count("non_finite_pixels"),
                    count("overflowed_pixels")};
-    sums.channels.resize(channels * pixels);
-    sums.luminances.resize(shared::kReplicas * pixels);
-    std::vector<std::span<FixedPoint>> targets;
-    forEachChunk(sums, [&](std::span<FixedPoint> numbers) { targets.push_back(numbers); });
+    sums.channels = FixedPointArray(channels * pixels);
+    sums.luminances = FixedPointArray(shared::kReplicas * pixels);
+    const auto targets = chunksOf(sums.channels, sums.luminances);
     std::atomic<bool> isWhole = true;
     parallelFor(0, targets.size(), allCores(), [&](uint64_t i, uint32_t) {
         if (!decompress(chunks[i], targets[i]))
@@ -258,9 +271,7 @@ std::string FilmLabel::setting(const std::string& name) const {
 }
 
 void writeFilm(const std::filesystem::path& path, const FilmLabel& label, const Film& film) {
-    std::vector<std::span<const FixedPoint>> chunks;
-    forEachChunk(film.sums(),
-                 [&](std::span<const FixedPoint> numbers) { chunks.push_back(numbers); });
+    const auto chunks = chunksOf(film.sums().channels, film.sums().luminances);
     std::vector<std::string> compressed(chunks.size());
     std::vector<Scratch> scratch(allCores());
     parallelFor(0, chunks.size(), allCores(), [&](uint64_t i, uint32_t thread) {
@@ -282,9 +293,12 @@ KeptFilm readFilm(const std::filesystem::path& path) {
     const std::string name = path.string();
     const std::string bytes = readFile(name, name);
     const std::string_view all = bytes;
-    if (!all.starts_with(kMagic) || all.size() < kDescriptionAt)
-        throw SceneError(name, "the file is no film, or only its beginning; films are written by "
-                               "calotype render --film");
+    if (!all.starts_with(kMagic) || all.size() < kDescriptionAt) {
+        const std::string_view kind =
+            all.starts_with(kMagic) ? "the beginning of a film" : fileKind(all);
+        throw SceneError(name, "the file is " + std::string(kind.empty() ? "no film" : kind) +
+                                   "; films are written by calotype render --film");
+    }
     const uint32_t version = littleEndian32(all, kMagic.size());
     if (version != kVersion && version != kVersionWithChannels)
         throw SceneError(name, "the film is of format " + std::to_string(version) +

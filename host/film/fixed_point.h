@@ -3,8 +3,6 @@
 #include <cmath>
 #include <cstdint>
 
-#include <glm/vec3.hpp>
-
 namespace calotype {
 
 /// A signed number with 64 bits after the point, in (-2^63, 2^63). Addition is exact.
@@ -28,23 +26,5 @@ inline FixedPoint toFixedPoint(double value) {
 
 /// The nearest double.
 inline double fromFixedPoint(FixedPoint value) { return static_cast<double>(value) * 0x1p-64; }
-
-/// Red, green and blue.
-struct FixedColor {
-    FixedPoint r = 0;
-    FixedPoint g = 0;
-    FixedPoint b = 0;
-
-    FixedColor& operator+=(const FixedColor& other) {
-        r += other.r;
-        g += other.g;
-        b += other.b;
-        return *this;
-    }
-};
-
-inline glm::dvec3 fromFixedPoint(const FixedColor& color) {
-    return {fromFixedPoint(color.r), fromFixedPoint(color.g), fromFixedPoint(color.b)};
-}
 
 } // namespace calotype

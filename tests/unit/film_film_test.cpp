@@ -116,7 +116,7 @@ TEST(FilmTest, DoesNotDriftOverAMillionBlocks) {
     for (int i = 0; i < kBlocks; ++i)
         addNext(film, block);
     // 0.1f = 13421773 * 2^-27 and 0.7f = 11744051 * 2^-24; the unit takes 2 of the 64 bits.
-    const std::vector<FixedPoint>& sums = film.sums().channels;
+    const FixedPointArray& sums = film.sums().channels;
     EXPECT_TRUE(sums[0] == (FixedPoint{13421773} * kBlocks) << (64 - 27 - 2));
     EXPECT_TRUE(sums[1] == -((FixedPoint{11744051} * kBlocks) << (64 - 24 - 2)));
     EXPECT_TRUE(sums[2] == (FixedPoint{3} * kBlocks) << (64 - 2));
