@@ -57,6 +57,7 @@ constexpr Signature kSignatures[] = {
     {4, "ftypmif1"sv, "a HEIC image"},
     {4, "ftyp"sv, "a video"},
     {0, "\0\0\1\0"sv, "an icon"},
+    {0, "CALOFILM"sv, "a film of Calotype"},
     {0, "SIMPLE  ="sv, "a FITS image"},
     {0, "PF\n"sv, "a PFM picture"},
     {0, "Pf\n"sv, "a PFM picture"},

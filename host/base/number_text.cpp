@@ -36,9 +36,10 @@ std::string shortNumber(double number, int digits) {
 
 std::string percentText(double share) {
     const double percent = 100.0 * share;
-    return formatted(percent < 9.995   ? "%.2f %%"
-                     : percent < 99.95 ? "%.1f %%"
-                                       : "%.0f %%",
+    return formatted(0.0 < percent && percent < 0.01 ? "%.1g %%"
+                     : percent < 9.995               ? "%.2f %%"
+                     : percent < 99.95               ? "%.1f %%"
+                                                     : "%.0f %%",
                      percent);
 }
 

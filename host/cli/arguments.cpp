@@ -31,7 +31,9 @@ void addViewOptions(CLI::App& command, ViewOptions& view) {
     };
     add("--from", view.from, "Position of the camera, metres (default: the scene's)");
     add("--look-at", view.lookAt, "Point that the camera looks at, metres (default: the scene's)");
-    add("--up", view.up, "Direction that is up in the picture (default: the scene's)");
+    addParsed(command, "--up", view.up, parseUp,
+              "Direction that is up in the picture (default: the scene's)", "X,Y,Z")
+        ->group("Scene");
     addParsed(command, "--fov", view.fov, parseFieldOfView,
               "Vertical field of view (default: the scene's)", "DEGREES")
         ->group("Scene");

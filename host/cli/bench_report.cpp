@@ -60,11 +60,12 @@ std::string toJsonLine(const std::string& scene, const BenchReport& report, uint
     json["scene"] = scene;
     json["device"] = report.device.name;
     json["driver"] = report.device.driver;
-    json["threads"] = threads;
+    json["threads"] = threads > 0 ? nlohmann::ordered_json(threads) : nullptr;
     json["primitives"] = report.primitives;
     for (const Setting& setting : settingsTable())
         if (setting.changesSamples || (setting.commands & kBenchCommand))
             json[setting.name] = setting.value(report.settings);
+    json["bvh"] = report.tree;
     json["repeats"] = report.repeats;
     json["paths_per_second"] = toJson(report.pathsPerSecond);
     json["rays_per_second"] = toJson(report.raysPerSecond);

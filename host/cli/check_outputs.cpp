@@ -53,6 +53,10 @@ OutputClaims checkOutputs(const RenderOptions& options) {
         claims.claimFilm(film.path());
     if (!output.statsFile.empty())
         claims.claim(output.statsFile);
+    const PreviewInterval& interval = output.previewInterval;
+    if (!output.previewFile.empty() && interval.samples == 0 && !(interval.seconds > 0.0))
+        throw UsageError("--preview-file is where previews go, and none is written; add "
+                         "--preview-every 10s, or leave it out");
     if (!output.previewFile.empty() &&
         (output.pictures.empty() || output.previewFile != output.pictures.front()))
         claims.claimPicture(output.previewFile);

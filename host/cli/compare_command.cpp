@@ -67,10 +67,8 @@ void printErrors(const ImageDifference& difference) {
 Json finiteOrNull(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
 Json toJson(const std::string& path, const Image& image, uint64_t infinite) {
-    return {{"file", path},
-            {"width", image.width},
-            {"height", image.height},
-            {"infinite_pixels", infinite}};
+    return {
+        {"file", path}, {"resolution", {image.width, image.height}}, {"infinite_pixels", infinite}};
 }
 
 void printJson(const CompareOptions& options, const Image& a, const Image& b,

@@ -16,6 +16,14 @@
 namespace calotype {
 namespace {
 
+/// Names and drivers of all devices that rendered the film.
+std::string devicesOf(const FilmLabel& label) {
+    std::string names;
+    for (const std::string& device : label.devices)
+        names += (names.empty() ? "" : "; ") + device;
+    return names;
+}
+
 void print(const KeptFilm& kept) {
     const Film& film = kept.film;
     std::printf("film           %u x %u pixels\n", film.width(), film.height());
@@ -24,6 +32,8 @@ void print(const KeptFilm& kept) {
     if (!film.blocks().empty())
         std::printf(": %s", sampleText(film.blocks()).c_str());
     std::printf("\n");
+    if (const BlockRanges gaps = film.blocks().gaps(); !gaps.empty())
+        std::printf("missing        %s\n", sampleText(gaps).c_str());
     if (const auto error = estimateError(film))
         std::printf("error          %s%s\n", percentText(error->relative).c_str(),
                     trustText(*error).c_str());

@@ -82,14 +82,14 @@ void printJson(const Scene& scene, const SceneSummary& summary, const DeviceFit&
     json["lights"] = summary.lights;
     json["dropped_triangles"] = summary.droppedTriangles;
     json["bounds"] = toJson(summary.bounds);
-    json["bvh"] = {{"builder", nameOf(summary.builder)},
-                   {"nodes", summary.nodes},
-                   {"children_per_node", summary.childrenPerNode},
-                   {"depth", summary.depth},
-                   {"leaves", summary.leaves},
-                   {"primitives_per_leaf", summary.primitivesPerLeaf},
-                   {"nodes_visited", summary.nodesVisited},
-                   {"primitives_visited", summary.primitivesVisited}};
+    json["bvh"] = nameOf(summary.builder);
+    json["tree"] = {{"nodes", summary.nodes},
+                    {"children_per_node", summary.childrenPerNode},
+                    {"depth", summary.depth},
+                    {"leaves", summary.leaves},
+                    {"primitives_per_leaf", summary.primitivesPerLeaf},
+                    {"nodes_visited", summary.nodesVisited},
+                    {"primitives_visited", summary.primitivesVisited}};
     json["features"] = summary.features;
     json["device"] = fit.device;
     json["memory_bytes"] = {{"scene", summary.sceneBytes}, {"textures", summary.textureBytes},
@@ -99,14 +99,21 @@ void printJson(const Scene& scene, const SceneSummary& summary, const DeviceFit&
     std::fputs(jsonText(json).c_str(), stdout);
 }
 
+/// Throws UsageError if there are options that change nothing for a film.
+void requireNoSceneOptions(const InfoOptions& options) {
+    const SceneOptions& scene = options.scene;
+    const ViewOptions& view = scene.view;
+    if (!scene.overrides.empty() || scene.missingTextures != MissingTextures::Fail || view.from ||
+        view.lookAt || view.up || view.fov || !options.device.device.empty() ||
+        options.device.threads > 0 || !options.settings.options().empty())
+        throw UsageError("only --json can be given with a film, and '" + scene.path + "' is one");
+}
+
 } // namespace
 
 int infoCommand(const InfoOptions& options) {
     if (isFilm(options.scene.path)) {
-        if (!options.scene.overrides.empty() || !options.device.device.empty() ||
-            options.settings.has("bvh"))
-            throw UsageError("--set, --device and --bvh are for scenes; '" + options.scene.path +
-                             "' is a film");
+        requireNoSceneOptions(options);
         return filmInfoCommand(options);
     }
     const DeviceOptions device = withEnvironment(options.device, false);

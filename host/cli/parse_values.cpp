@@ -71,6 +71,13 @@ glm::dvec3 parsePoint(const std::string& option, const std::string& text) {
     return point;
 }
 
+glm::dvec3 parseUp(const std::string& text) {
+    const glm::dvec3 up = parsePoint("--up", text);
+    if (up == glm::dvec3(0.0))
+        fail("--up", text, "a direction, such as 0,1,0");
+    return up;
+}
+
 double parseFieldOfView(const std::string& text) {
     const auto degrees = parseNumber<double>(text);
     if (!degrees || !(*degrees > 0.0 && *degrees < 180.0))

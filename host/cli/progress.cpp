@@ -11,6 +11,7 @@
 #include "cli/terminal.h"
 #include "cli/trust_text.h"
 #include "engine/json_document.h"
+#include "engine/statistics.h"
 
 namespace calotype {
 namespace {
@@ -76,9 +77,8 @@ void Progress::showJson(const std::string& stage, double done, const RenderTotal
     Json json;
     json["stage"] = stage;
     json["done"] = done;
-    json["samples"] = totals ? Json(totals->samplesPerPixel) : Json();
-    json["error"] = totals && totals->error ? Json(totals->error->relative) : Json();
-    json["trusted"] = totals && totals->error ? Json(totals->error->isTrusted()) : Json();
+    json["spp"] = totals ? Json(totals->samplesPerPixel) : Json();
+    json["error"] = totals ? describeError(totals->error) : Json();
     json["seconds"] = seconds;
     json["seconds_left"] = totals && done > 0.0 ? Json(seconds * (1.0 - done) / done) : Json();
     std::fputs(jsonText(json, -1).c_str(), stderr);

@@ -59,7 +59,7 @@ void warnOfGoal(const RenderResult& result) {
     const auto& target = result.plan.targetError;
     const auto& error = result.totals.error;
     if (target && result.ending != RenderEnding::TargetError)
-        printWarning("the error of " + percentText(*target) +
+        printWarning("the error of " + targetText(*target) +
                      " that --target-error sets was not reached" +
                      (error ? judgedText(*error, *target) : ""));
 }

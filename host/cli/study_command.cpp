@@ -26,6 +26,7 @@
 #include "engine/devices.h"
 #include "engine/render_engine.h"
 #include "engine/scene_settings.h"
+#include "engine/spare_file.h"
 #include "settings/setting_kinds.h"
 #include "study/advice.h"
 #include "study/csv.h"
@@ -150,13 +151,17 @@ Study runOrClean(const std::filesystem::path& folder, std::optional<OutputClaims
     }
 }
 
-/// If one of the files cannot be written, the others are still written.
+/// If one of the files cannot be written, it is kept elsewhere, and the others are still written.
 void writeAll(const Study& study, const StudyOrigin& origin, const std::filesystem::path& folder) {
     const std::string contents[] = {toCsv(study), toJson(study, origin), toSvg(study, origin.scene),
                                     toHtml(study, origin)};
     OutputFailures failures;
     for (size_t i = 0; i < std::size(kFiles); ++i)
-        failures.attempt([&] { writeFileAtomically(folder / kFiles[i], contents[i]); });
+        failures.attempt([&] {
+            SpareFile(folder / kFiles[i], {}).write(kFiles[i], [&](const auto& path) {
+                writeFileAtomically(path, contents[i]);
+            });
+        });
     failures.throwIfAny();
 }
 

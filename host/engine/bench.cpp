@@ -98,6 +98,7 @@ BenchReport measureScene(const Scene& scene, const RenderSettings& settings, uin
     report.raysPerSecond = spreadOf(std::move(rays));
     report.traversal = measureTraversal(engine, settings, repeats, shouldStop);
     report.device = engine.info();
+    report.tree = engine.tree();
     report.primitives = engine.packed().primitiveCount;
     report.deviceBytes = engine.deviceBytes();
     engine.finish();

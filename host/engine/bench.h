@@ -40,6 +40,7 @@ struct BenchReport {
     RenderSettings settings; ///< `samplesPerPixel` is that of each repeat
     uint32_t repeats = 0;
     uint64_t primitives = 0;
+    std::string tree; ///< as RenderEngine::tree
     Spread pathsPerSecond;
     Spread raysPerSecond;
     std::vector<TraversalRate> traversal;

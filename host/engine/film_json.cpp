@@ -40,7 +40,7 @@ Json filmJson(const KeptFilm& kept) {
     const Film& film = kept.film;
     Json json = newJsonDocument();
     json["scene_hash"] = hexadecimal(kept.label.sceneHash);
-    json["device"] = devicesOf(kept.label);
+    json["devices"] = kept.label.devices;
     json["resolution"] = {film.width(), film.height()};
     json["spp"] = film.samplesPerPixel();
     json["ranges"] = rangesJson(film.blocks());
@@ -51,13 +51,6 @@ Json filmJson(const KeptFilm& kept) {
     json["cut_paths"] = film.losses().cutPaths;
     json["lost_blocks"] = film.losses().lostPixels();
     return json;
-}
-
-std::string devicesOf(const FilmLabel& label) {
-    std::string names;
-    for (const std::string& device : label.devices)
-        names += (names.empty() ? "" : "; ") + device;
-    return names;
 }
 
 } // namespace calotype

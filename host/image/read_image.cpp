@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "base/error.h"
+#include "base/file_kind.h"
 #include "image/check_size.h"
 #include "image/exr.h"
 #include "image/exr_check.h"
@@ -91,10 +92,13 @@ Image readImage(const std::filesystem::path& path, uint64_t mostPixels) {
         checkSize({image.width, image.height}, kLargestPictureSide, where);
         return image;
     }
-    if (!isPng(signature) && !isHdr(signature))
-        throw SceneError(where,
-                         "the file is not a picture that can be compared: EXR, PFM (colour), "
-                         "HDR and PNG are");
+    if (!isPng(signature) && !isHdr(signature)) {
+        const std::string_view kind = fileKind(signature);
+        throw SceneError(
+            where, "the file is " +
+                       (kind.empty() ? "not a picture that can be compared" : std::string(kind)) +
+                       "; EXR, PFM (colour), HDR and PNG can be compared");
+    }
     const std::string bytes = readBytes(file, fileSize);
     if (isPng(bytes))
         checkArea(checkPng(bytes, where), mostPixels, where);

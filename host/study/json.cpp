@@ -15,9 +15,9 @@ Json orNull(const std::optional<double>& value) {
 }
 
 Json describe(const CurvePoint& point) {
-    return {{"spp", point.samples},
+    return {{"spp", std::llround(point.samples)},
             {"seconds", point.seconds},
-            {"error", orNull(point.error)},
+            {"true_error", orNull(point.error)},
             {"stated_error", orNull(point.stated)}};
 }
 
@@ -59,7 +59,7 @@ std::string toJson(const Study& study, const StudyOrigin& origin) {
     json["device"] = origin.device;
     json["resolution"] = {study.usual.width, study.usual.height};
     json["ground_truth"] = {{"spp", study.groundTruth->samples},
-                            {"error", study.groundTruth->error},
+                            {"stated_error", study.groundTruth->error},
                             {"trusted", study.groundTruth->isTrusted}};
     json["timing_noise"] = study.timingNoise();
     json["recommended"] = Json::array();

@@ -75,6 +75,8 @@ TEST_F(ExitCodeTest, WrongUsage) {
         {{"render", scene_, "-o", folder_ / "my%20dog.gif"}, "has no known extension"},
         {{"render", scene_, "-o", out, "--progress", "xml"}, "text or json"},
         {{"render", scene_, "-o", out, "--from", "1,2"}, "X,Y,Z in metres"},
+        {{"render", scene_, "-o", out, "--up", "0,0,0"}, "'0,0,0' is not a direction"},
+        {{"render", scene_, "-o", out, "--preview-file", "x.png"}, "add --preview-every"},
         {{"render", scene_, "-o", out, "--look-at", "1,2,nan"}, "X,Y,Z in metres"},
         {{"render", scene_, "-o", out, "--fov", "180"}, "between 0 and 180"},
         {{"render", scene_, "-o", out, "--overwrite"}, "--film"},

@@ -106,9 +106,12 @@ TEST_F(FilmTest, InfoSaysWhatItHolds) {
             EXPECT_STREQ(value.type_name(), statistics[name].type_name()) << name;
     const ProgramResult merged = runProgram({"merge", a, b, "-o", folder_ / "both", "--json"});
     EXPECT_EQ(nlohmann::json::parse(merged.output), json);
-    EXPECT_EQ(json["device"].get<std::string>().find(statistics["device"].get<std::string>()), 0u);
+    ASSERT_EQ(json["devices"].size(), 1u);
+    EXPECT_EQ(json["devices"][0].get<std::string>().find(statistics["device"].get<std::string>()),
+              0u);
     const ProgramResult asText = runProgram({"info", folder_ / "both"});
-    for (const char* word : {"48 per pixel: 0:32, 64:80", "32 x 24", "sampler", "sobol"})
+    for (const char* word :
+         {"48 per pixel: 0:32, 64:80", "missing        32:64", "32 x 24", "sampler", "sobol"})
         EXPECT_NE(asText.output.find(word), std::string::npos) << asText.output;
 }
 
@@ -267,7 +270,16 @@ TEST_F(FilmTest, MergeChecksItsOutputs) {
     expectFailure(merge({"-o", folder_ / "b.exr", "--aov", "normal"}), 2, "no first hits");
     expectFailure(merge({"-o", folder_ / "no/b.film"}), 6, "folder");
     expectFailure(runProgram(render({"--film", text})), 2, "is no film");
-    expectFailure(runProgram({"info", a, "--set", "/film/width=3"}), 2, "are for scenes");
+    for (const std::vector<std::string>& option :
+         {std::vector<std::string>{"--set", "/film/width=3"},
+          {"--bvh", "sah"},
+          {"--threads", "2"},
+          {"--up", "0,1,0"},
+          {"--missing-textures", "warn"}}) {
+        std::vector<std::string> words = {"info", a};
+        words.insert(words.end(), option.begin(), option.end());
+        expectFailure(runProgram(words), 2, "only --json can be given with a film");
+    }
     EXPECT_EQ(readText(text), "mine");
     EXPECT_EQ(folder_.names(), (std::vector<std::string>{"a.film", "notes", "scene.json"}));
 }

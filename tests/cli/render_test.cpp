@@ -362,7 +362,7 @@ TEST_F(RenderTest, ProgressCanBeJson) {
         EXPECT_GE(json["seconds"], 0.0);
         updates += json["stage"] == "rendering" ? 1 : 0;
         if (json["stage"] == "rendering")
-            EXPECT_GT(json["samples"], 0);
+            EXPECT_GT(json["spp"], 0);
     }
     EXPECT_GE(updates, 1) << result.errors;
     EXPECT_EQ(last["stage"], "finished");

@@ -99,9 +99,15 @@ TEST_F(StudyTest, AnOutputThatFailsLosesNoOther) {
         if (age > 1.0)
             std::filesystem::create_directories(inTheWay);
     };
+    const TestFolder spare;
+    options.environment["TMPDIR"] = spare.path();
     const ProgramResult result = study({"--budget", "5s", "--size", "16x16"}, options);
     EXPECT_EQ(result.exitCode, 6);
-    EXPECT_NE(result.errors.find("study.svg"), std::string::npos) << result.errors;
+    EXPECT_NE(result.errors.find("study.svg is kept in '" + spare.path().string()),
+              std::string::npos)
+        << result.errors;
+    ASSERT_EQ(spare.names().size(), 1u);
+    EXPECT_EQ(readText(spare / spare.names()[0]).rfind("<svg", 0), 0u);
     EXPECT_NE(readOutput("study.html").find("the default"), std::string::npos);
     EXPECT_NE(readOutput("study.csv").find("the default"), std::string::npos);
 }
