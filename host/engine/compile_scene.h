@@ -24,7 +24,8 @@ struct CompiledScene {
 
 struct CompileOptions {
     bool allUvs = false; ///< keeps texture coordinates without textures, for first-hit layers
-    std::function<void(double)> onProgress; ///< called with the share done in [0, 1]; may throw
+    /// Called with the share done in [0, 1]; may throw.
+    std::function<void(double)> onProgress = {};
 };
 
 /// Chooses the origin, collects the primitives, builds the BVH and packs everything. Throws

@@ -30,6 +30,11 @@ int trailingZeros(Bits bits) {
     return low != 0 ? std::countr_zero(low) : 64 + std::countr_zero(high);
 }
 
+/// The bits that differ from the number's sign.
+Bits magnitudeOf(FixedPoint number) {
+    return static_cast<Bits>(number ^ (number >> (kNumberBits - 1)));
+}
+
 } // namespace
 
 FixedPointArray::FixedPointArray(size_t size)
@@ -39,19 +44,16 @@ size_t FixedPointArray::numbersIn(size_t chunk) const {
     return std::min(kChunkNumbers, size_ - chunk * kChunkNumbers);
 }
 
-/// The fewest bytes that hold the numbers; of width 0 where all of them are 0.
-FixedPointArray::ByteRange FixedPointArray::rangeOf(std::span<const FixedPoint> numbers) {
-    Bits any = 0;       // bits that are set in one of the numbers
-    Bits magnitude = 0; // bits that differ from the sign in one of the numbers
+FixedPointArray::Extent::Extent(std::span<const FixedPoint> numbers) {
+    Bits any = 0;
+    Bits magnitude = 0;
     for (const FixedPoint number : numbers) {
         any |= static_cast<Bits>(number);
-        magnitude |= static_cast<Bits>(number ^ (number >> (kNumberBits - 1)));
+        magnitude |= magnitudeOf(number);
     }
-    if (any == 0)
-        return {};
-    const int first = trailingZeros(any) / kBitsPerByte;
-    const int end = bitWidth(magnitude) / kBitsPerByte + 1; // with at least one bit of the sign
-    return {static_cast<uint8_t>(first), static_cast<uint8_t>(end - first)};
+    isZero = any == 0;
+    firstByte = isZero ? 0 : trailingZeros(any) / kBitsPerByte;
+    bits = bitWidth(magnitude);
 }
 
 FixedPoint FixedPointArray::numberOf(const Chunk& chunk, size_t index) {
@@ -71,22 +73,22 @@ FixedPoint FixedPointArray::operator[](size_t index) const {
 }
 
 /// Sets all numbers of a chunk. The range of bytes only grows, so that a chunk is seldom allocated
-/// anew.
+/// anew, and has a bit to spare, so that addInPlace can be used next time.
 void FixedPointArray::store(size_t index, std::span<const FixedPoint> numbers) {
     Chunk& chunk = chunks_[index];
-    const ByteRange needed = rangeOf(numbers);
-    if (needed.width == 0) {
+    const Extent extent(numbers);
+    if (extent.isZero) {
         chunk = {};
         return;
     }
+    const bool isNew = chunk.range.width == 0;
     const int oldEnd = chunk.range.first + chunk.range.width;
-    const int neededEnd = needed.first + needed.width;
-    if (chunk.range.width == 0) {
-        chunk.range = needed;
-    } else if (needed.first < chunk.range.first || neededEnd > oldEnd) {
-        chunk.range.first = std::min(chunk.range.first, needed.first);
-        chunk.range.width = static_cast<uint8_t>(std::max(oldEnd, neededEnd) - chunk.range.first);
-    }
+    const int bitsOfSum = std::min(extent.bits + 1, kNumberBits - 1);
+    const int neededEnd = bitsOfSum / kBitsPerByte + 1; // with at least one bit of the sign
+    const int first = isNew ? extent.firstByte : std::min<int>(chunk.range.first, extent.firstByte);
+    const int end = isNew ? neededEnd : std::max(oldEnd, neededEnd);
+    chunk.range = {static_cast<uint8_t>(first), static_cast<uint8_t>(end - first)};
+    chunk.usedBits = static_cast<uint8_t>(extent.bits);
     const size_t bytes = numbers.size() * chunk.range.width + kPadding;
     if (chunk.bytes.size() != bytes) {
         chunk.bytes = {}; // before the new allocation, which may then take its place
@@ -94,11 +96,43 @@ void FixedPointArray::store(size_t index, std::span<const FixedPoint> numbers) {
     }
     uint8_t* target = chunk.bytes.data();
     for (const FixedPoint number : numbers) {
-        const FixedPoint shifted = number >> kBitsPerByte * chunk.range.first;
+        const FixedPoint shifted = number >> kBitsPerByte * first;
         std::memcpy(target, &shifted,
                     sizeof shifted); // the next number overwrites what is too much
         target += chunk.range.width;
     }
+}
+
+/// Whether the chunk's bytes hold every sum of one of its numbers and one of the terms.
+bool FixedPointArray::holdsSum(const Chunk& chunk, const Extent& terms) {
+    const int bitsOfSum = std::max<int>(chunk.usedBits, terms.bits) + 1;
+    return chunk.range.width > 0 && terms.firstByte >= chunk.range.first &&
+           bitsOfSum < kBitsPerByte * (chunk.range.first + chunk.range.width);
+}
+
+/// Adds terms that the chunk's bytes hold. All sums are computed before the first is stored: a
+/// processor waits where it loads bytes of two numbers that it has just stored.
+void FixedPointArray::addInPlace(Chunk& chunk, size_t first, std::span<const FixedPoint> terms) {
+    const size_t width = chunk.range.width;
+    const int shift = kBitsPerByte * chunk.range.first;
+    const int unused = kNumberBits - kBitsPerByte * static_cast<int>(width);
+    uint8_t* const place = chunk.bytes.data() + first * width;
+    ChunkBuffer sums;
+    Bits magnitude = 0;
+    for (size_t i = 0; i < terms.size(); ++i) {
+        Bits word = 0;
+        std::memcpy(&word, place + i * width, sizeof word);
+        sums[i] = (static_cast<FixedPoint>(word << unused) >> unused) + (terms[i] >> shift);
+        magnitude |= magnitudeOf(sums[i]);
+    }
+    // Each number overwrites what the one before it stored too much; the last one must not.
+    uint8_t* const end = place + terms.size() * width;
+    std::array<uint8_t, kPadding> behind;
+    std::memcpy(behind.data(), end, kPadding);
+    for (size_t i = 0; i < terms.size(); ++i)
+        std::memcpy(place + i * width, &sums[i], sizeof(FixedPoint));
+    std::memcpy(end, behind.data(), kPadding);
+    chunk.usedBits = std::max(chunk.usedBits, static_cast<uint8_t>(bitWidth(magnitude) + shift));
 }
 
 void FixedPointArray::read(size_t first, std::span<FixedPoint> numbers) const {
@@ -107,32 +141,49 @@ void FixedPointArray::read(size_t first, std::span<FixedPoint> numbers) const {
         numbers[i] = (*this)[first + i];
 }
 
-template <typename Change>
-void FixedPointArray::update(size_t first, std::span<const FixedPoint> operands,
-                             const Change& change) {
+template <typename Use>
+void FixedPointArray::forEachChunk(size_t first, std::span<const FixedPoint> operands,
+                                   const Use& use) {
     CALOTYPE_CHECK_LE(first + operands.size(), size_);
     while (!operands.empty()) {
         const size_t chunk = first / kChunkNumbers;
         const size_t offset = first % kChunkNumbers;
-        ChunkBuffer buffer;
-        const std::span<FixedPoint> numbers = std::span(buffer).first(numbersIn(chunk));
-        const size_t count = std::min(operands.size(), numbers.size() - offset);
-        for (size_t i = 0; i < numbers.size(); ++i)
-            numbers[i] = numberOf(chunks_[chunk], i);
-        for (size_t i = 0; i < count; ++i)
-            change(numbers[offset + i], operands[i]);
-        store(chunk, numbers);
+        const size_t count = std::min(operands.size(), kChunkNumbers - offset);
+        use(chunk, offset, operands.first(count));
         first += count;
         operands = operands.subspan(count);
     }
 }
 
+template <typename Change>
+void FixedPointArray::change(size_t chunk, size_t first, std::span<const FixedPoint> operands,
+                             const Change& change) {
+    ChunkBuffer buffer;
+    const std::span<FixedPoint> numbers = std::span(buffer).first(numbersIn(chunk));
+    for (size_t i = 0; i < numbers.size(); ++i)
+        numbers[i] = numberOf(chunks_[chunk], i);
+    for (size_t i = 0; i < operands.size(); ++i)
+        change(numbers[first + i], operands[i]);
+    store(chunk, numbers);
+}
+
 void FixedPointArray::write(size_t first, std::span<const FixedPoint> numbers) {
-    update(first, numbers, [](FixedPoint& number, FixedPoint value) { number = value; });
+    forEachChunk(first, numbers, [&](size_t chunk, size_t offset, auto values) {
+        change(chunk, offset, values, [](FixedPoint& number, FixedPoint value) { number = value; });
+    });
 }
 
 void FixedPointArray::add(size_t first, std::span<const FixedPoint> terms) {
-    update(first, terms, [](FixedPoint& number, FixedPoint term) { number += term; });
+    forEachChunk(first, terms, [&](size_t chunk, size_t offset, auto part) {
+        const Extent extent(part);
+        if (extent.isZero)
+            return;
+        if (holdsSum(chunks_[chunk], extent))
+            addInPlace(chunks_[chunk], offset, part);
+        else
+            change(chunk, offset, part,
+                   [](FixedPoint& number, FixedPoint term) { number += term; });
+    });
 }
 
 void FixedPointArray::add(const FixedPointArray& other) {

@@ -52,20 +52,36 @@ private:
     };
     struct Chunk {
         ByteRange range;
+        uint8_t usedBits = 0; ///< all numbers are in [-2^usedBits, 2^usedBits)
         /// `width` bytes of each number, and kPadding more, so that every number can be copied in
         /// one step of 16 bytes. Empty where all numbers are 0.
         std::vector<uint8_t> bytes;
     };
     static constexpr size_t kPadding = sizeof(FixedPoint);
 
-    static ByteRange rangeOf(std::span<const FixedPoint> numbers);
+    /// The bits that are set in one of several numbers, and those that differ from its sign.
+    struct Extent {
+        explicit Extent(std::span<const FixedPoint> numbers);
+
+        int firstByte = 0; ///< below it all are 0
+        int bits = 0;      ///< all numbers are in [-2^bits, 2^bits)
+        bool isZero = true;
+    };
+
     static FixedPoint numberOf(const Chunk& chunk, size_t index);
+    static bool holdsSum(const Chunk& chunk, const Extent& terms);
+    static void addInPlace(Chunk& chunk, size_t first, std::span<const FixedPoint> terms);
 
     size_t numbersIn(size_t chunk) const;
     void store(size_t chunk, std::span<const FixedPoint> numbers);
-    /// Calls change(old, its part of `operands`) for the numbers from `first` on, chunk by chunk.
+    /// Calls change(old, operand) for the numbers of a chunk from `first` on, and stores them.
     template <typename Change>
-    void update(size_t first, std::span<const FixedPoint> operands, const Change& change);
+    void change(size_t chunk, size_t first, std::span<const FixedPoint> operands,
+                const Change& change);
+    /// Calls use(chunk, first number in it, part of the operands) for the chunks that hold the
+    /// numbers from `first` on.
+    template <typename Use>
+    void forEachChunk(size_t first, std::span<const FixedPoint> operands, const Use& use);
 
     size_t size_;
     std::vector<Chunk> chunks_;

@@ -15,8 +15,8 @@ class Device;
 struct KernelInfo {
     std::string name; ///< for validation messages and debuggers
     std::span<const uint32_t> spirv;
-    std::vector<vk::DescriptorSetLayoutBinding> bindings; ///< of set 0
-    std::vector<uint32_t> constants; ///< specialization constants by identifier, a word each
+    std::vector<vk::DescriptorSetLayoutBinding> bindings = {}; ///< of set 0
+    std::vector<uint32_t> constants = {}; ///< specialization constants by identifier, a word each
     uint32_t pushConstantBytes = 0;
 };
 

@@ -27,7 +27,7 @@ public:
         for (size_t i = 0; i < sizeof(T) / sizeof(uint32_t); ++i)
             words.push_back(0x40000000u + 0x00010305u * static_cast<uint32_t>(++made_));
         T result;
-        std::memcpy(&result, words.data(), sizeof(T));
+        std::memcpy(static_cast<void*>(&result), words.data(), sizeof(T));
         words_.insert(words_.end(), words.begin(), words.end());
         return result;
     }

@@ -12,7 +12,7 @@
 namespace calotype {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
 constexpr size_t kDeepestNesting = 100;
 constexpr size_t kLongestLastRead = 40;
@@ -71,11 +71,11 @@ size_t lastSignificant(std::string_view text, size_t end) {
 }
 
 /// Builds the document from the parser's events; rejects what nlohmann's own builder accepts.
-class DocumentBuilder final : public nlohmann::json_sax<json> {
+class DocumentBuilder final : public nlohmann::json_sax<Json> {
 public:
     DocumentBuilder(std::string_view text, const std::string& name) : text_(text), name_(name) {}
 
-    json takeRoot() { return std::move(root_); }
+    Json takeRoot() { return std::move(root_); }
 
     bool null() override { return add(nullptr); }
     bool boolean(bool value) override { return add(value); }
@@ -85,8 +85,8 @@ public:
     bool string(string_t& value) override { return add(std::move(value)); }
     bool binary(binary_t&) override { return false; }
 
-    bool start_object(size_t) override { return open(json::object()); }
-    bool start_array(size_t) override { return open(json::array()); }
+    bool start_object(size_t) override { return open(Json::object()); }
+    bool start_array(size_t) override { return open(Json::array()); }
     bool end_object() override { return close(); }
     bool end_array() override { return close(); }
 
@@ -101,7 +101,7 @@ public:
     }
 
     bool parse_error(size_t position, const std::string& lastToken,
-                     const json::exception& error) override {
+                     const Json::exception& error) override {
         if (error.id == kNumberOverflow) {
             throw SceneError(jsonPlace(name_, pointerOfNext()),
                              "the number " + inQuotes(lastToken) +
@@ -120,11 +120,11 @@ public:
 private:
     /// An open container; `key` is that of the next value (objects only).
     struct Level {
-        json* container;
+        Json* container;
         std::string key;
     };
 
-    json* append(json value) {
+    Json* append(Json value) {
         if (levels_.empty()) {
             root_ = std::move(value);
             return &root_;
@@ -134,17 +134,17 @@ private:
             level.container->push_back(std::move(value));
             return &level.container->back();
         }
-        json& slot = (*level.container)[level.key];
+        Json& slot = (*level.container)[level.key];
         slot = std::move(value);
         return &slot;
     }
 
-    bool add(json value) {
+    bool add(Json value) {
         append(std::move(value));
         return true;
     }
 
-    bool open(json container) {
+    bool open(Json container) {
         if (levels_.size() == kDeepestNesting) {
             throw SceneError(jsonPlace(name_, pointer(1)), "values are nested more than " +
                                                                std::to_string(kDeepestNesting) +
@@ -182,13 +182,13 @@ private:
 
     std::string_view text_;
     const std::string& name_;
-    json root_;
+    Json root_;
     std::vector<Level> levels_;
 };
 
 } // namespace
 
-json parseJson(std::string_view text, const std::string& name) {
+Json parseJson(std::string_view text, const std::string& name) {
     if (text.empty())
         throw SceneError(name + ":1:1", "the file is empty; a JSON object is expected");
     if (const std::string_view kind = fileKind(text); !kind.empty())
@@ -200,7 +200,7 @@ json parseJson(std::string_view text, const std::string& name) {
     DocumentBuilder builder(text, name);
     const bool strict = true;
     const bool ignoreComments = true;
-    json::sax_parse(text, &builder, json::input_format_t::json, strict, ignoreComments);
+    Json::sax_parse(text, &builder, Json::input_format_t::json, strict, ignoreComments);
     return builder.takeRoot();
 }
 

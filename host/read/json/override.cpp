@@ -14,30 +14,30 @@
 namespace calotype {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
 /// The command line may contain any bytes.
 bool isUtf8(const std::string& text) {
     try {
-        json(text).dump();
+        Json(text).dump();
         return true;
-    } catch (const json::type_error&) {
+    } catch (const Json::type_error&) {
         return false;
     }
 }
 
 /// False also for indices that nlohmann cannot parse.
-bool containsPart(const json& document, const json::json_pointer& pointer) {
+bool containsPart(const Json& document, const Json::json_pointer& pointer) {
     try {
         return document.contains(pointer);
-    } catch (const json::exception&) {
+    } catch (const Json::exception&) {
         return false;
     }
 }
 
-json parseValue(const std::string& text, const std::string& where) {
+Json parseValue(const std::string& text, const std::string& where) {
     const bool ignoreComments = true;
-    return json::accept(text, ignoreComments) ? parseJson(text, where) : json(text);
+    return Json::accept(text, ignoreComments) ? parseJson(text, where) : Json(text);
 }
 
 /// A decimal index without leading zeros, or nothing.
@@ -52,26 +52,26 @@ std::optional<size_t> parseIndex(const std::string& token) {
 
 } // namespace
 
-void applyOverride(json& document, const SceneOverride& override) {
+void applyOverride(Json& document, const SceneOverride& override) {
     const std::string where = "--set " + override.pointer;
     if (!isUtf8(override.pointer) || !isUtf8(override.value))
         throw SceneError(where, "pointer and value must be UTF-8");
-    json::json_pointer pointer;
+    Json::json_pointer pointer;
     try {
-        pointer = json::json_pointer(override.pointer);
-    } catch (const json::parse_error&) {
+        pointer = Json::json_pointer(override.pointer);
+    } catch (const Json::parse_error&) {
         throw SceneError(where, "is not a JSON pointer; write it like /materials/gold/roughness, "
                                 "with ~0 for ~ and ~1 for / within a name");
     }
     if (pointer.empty())
         throw SceneError(where, "cannot replace the whole scene; name a part, such as /render/spp");
-    const json::json_pointer parentPointer = pointer.parent_pointer();
+    const Json::json_pointer parentPointer = pointer.parent_pointer();
     if (!containsPart(document, parentPointer)) {
         throw SceneError(where, "the scene has no " + parentPointer.to_string() +
                                     "; set that first, to an object");
     }
-    json& parent = document.at(parentPointer);
-    json value = parseValue(override.value, where);
+    Json& parent = document.at(parentPointer);
+    Json value = parseValue(override.value, where);
     const std::string& last = pointer.back();
     if (parent.is_object()) {
         parent[last] = std::move(value);
@@ -89,12 +89,12 @@ void applyOverride(json& document, const SceneOverride& override) {
     }
 }
 
-void applyView(json& document, const ViewOptions& view) {
+void applyView(Json& document, const ViewOptions& view) {
     if (view.isEmpty() || !document.is_object())
         return;
-    json& camera = document["camera"];
+    Json& camera = document["camera"];
     if (!camera.is_object())
-        camera = json::object();
+        camera = Json::object();
     if ((view.from || view.lookAt || view.up) && camera.contains("matrix")) {
         if (!view.from || !view.lookAt)
             throw SceneError(view.from     ? "--from"
