@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "base/error.h"
+#include "cli/denoiser_library.h"
 #include "engine/devices.h"
 
 namespace calotype {
@@ -28,6 +29,7 @@ DeviceOptions withEnvironment(DeviceOptions options, bool knowsReference) {
         if (!knowsReference && isReference(options))
             options.device.clear();
     }
+    options.denoiserLibrary = denoiserLibrary();
     const std::string validation = variable("CALOTYPE_VALIDATION");
     options.validates = !validation.empty() && validation != "0";
     if (options.threads > 0 && !isReference(options))

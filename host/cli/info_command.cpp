@@ -50,6 +50,8 @@ void printMemory(const SceneSummary& summary, const DeviceFit& fit,
     std::printf("memory      %.1f MiB scene + %.1f MiB picture of %ux%u, of %.0f MiB\n",
                 inMebibytes(summary.sceneBytes), inMebibytes(fit.pictureBytes), settings.width,
                 settings.height, inMebibytes(fit.memoryBytes));
+    std::printf("host        about %.1f MiB for the samples of the picture\n",
+                inMebibytes(fit.hostBytes));
     std::printf("largest     %.1f MiB in one buffer, of %.0f MiB\n",
                 inMebibytes(summary.largestBytes), inMebibytes(fit.bufferBytes));
 }
@@ -92,9 +94,13 @@ void printJson(const Scene& scene, const SceneSummary& summary, const DeviceFit&
                     {"primitives_visited", summary.primitivesVisited}};
     json["features"] = summary.features;
     json["device"] = fit.device;
-    json["memory_bytes"] = {{"scene", summary.sceneBytes}, {"textures", summary.textureBytes},
-                            {"picture", fit.pictureBytes}, {"largest_buffer", summary.largestBytes},
-                            {"device", fit.memoryBytes},   {"buffer_limit", fit.bufferBytes}};
+    json["memory_bytes"] = {{"scene", summary.sceneBytes},
+                            {"textures", summary.textureBytes},
+                            {"picture", fit.pictureBytes},
+                            {"host", fit.hostBytes},
+                            {"largest_buffer", summary.largestBytes},
+                            {"device", fit.memoryBytes},
+                            {"buffer_limit", fit.bufferBytes}};
     json["warnings"] = scene.warnings;
     std::fputs(jsonText(json).c_str(), stdout);
 }

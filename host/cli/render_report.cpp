@@ -15,6 +15,19 @@ std::string estimateText(const ErrorEstimate& error) {
     return " " + percentText(error.relative) + trustText(error);
 }
 
+/// ", after denoising 1.3 % (at most 1.6 %)", or why nobody can say; empty if the picture was not
+/// denoised.
+std::string denoisedText(const RenderResult& result) {
+    if (!result.isDenoised)
+        return "";
+    if (!result.denoised) {
+        const auto& error = result.totals.error;
+        return ", denoised" + trustText(error.value_or(ErrorEstimate()));
+    }
+    return ", after denoising " + percentText(result.denoised->relative) + " (at most " +
+           percentText(result.denoised->bound) + ")";
+}
+
 /// "a.exr, a.png".
 std::string listed(const std::vector<std::string>& paths) {
     std::string places;
@@ -98,10 +111,11 @@ void reportRender(const RenderOptions& options, const RenderResult& result) {
         return totals.seconds > 0.0 ? withPrefix(static_cast<double>(count) / totals.seconds)
                                     : std::string("0");
     };
-    std::fprintf(stderr, "%s: %s in %s%s, %s samples/s, %s rays/s\n", placesOf(options).c_str(),
+    std::fprintf(stderr, "%s: %s in %s%s%s, %s samples/s, %s rays/s\n", placesOf(options).c_str(),
                  samples.c_str(), durationText(totals.seconds).c_str(),
                  totals.error ? (", error" + estimateText(*totals.error)).c_str() : "",
-                 rate(totals.paths).c_str(), rate(totals.rays).c_str());
+                 denoisedText(result).c_str(), rate(totals.paths).c_str(),
+                 rate(totals.rays).c_str());
 }
 
 } // namespace calotype

@@ -216,7 +216,7 @@ int studyCommand(const StudyOptions& options) {
         StageSeconds seconds;
         DeviceKeeper opened(device); // anew for each, so that none gets the kernels of another
         std::shared_ptr<RenderEngine> engine =
-            makeEngine(opened, scene, {settings, false, onStep}, seconds);
+            makeEngine(opened, scene, {settings, false, false, onStep}, seconds);
         if (engine->maxRadiance() == 0.0)
             throw SceneError(options.scene.path, "the scene has no light, so no error to study");
         origin.device = engine->info().name;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "engine/stage_seconds.h"
+#include "render/feature_pass.h"
 #include "render/first_hit_pass.h"
 
 namespace calotype {
@@ -22,7 +23,8 @@ GpuScene compile(const Scene& scene, const EngineRequest& request, BvhBuilder& b
 /// Throws GpuError if the device does not have enough memory.
 uint64_t requiredBytes(const Device& device, const GpuScene& packed, const EngineRequest& request) {
     const uint64_t bytes = packed.bytes() + pathTracerBytes(device, request.settings) +
-                           (request.wantsFirstHits ? firstHitPassBytes(request.settings) : 0);
+                           (request.wantsFirstHits ? firstHitPassBytes(request.settings) : 0) +
+                           (request.wantsFeatures ? featurePassBytes(request.settings) : 0);
     requireMemory(device, bytes);
     return bytes;
 }
@@ -44,6 +46,11 @@ FirstHitImage DeviceEngine::firstHits(const std::function<void(double)>& onProgr
     FirstHitImage hits = pass.run(onProgress);
     cutPixels_ = pass.cutPixels();
     return hits;
+}
+
+FeatureImage DeviceEngine::features(const std::function<void(double)>& onProgress) {
+    return FeaturePass(device(), packed_, buffers_, packed_.features, settings_)
+        .run(kFeatureRays, onProgress);
 }
 
 } // namespace calotype

@@ -21,6 +21,7 @@ public:
     BlockTracer& tracer() override { return tracer_; }
     double maxRadiance() const override { return packed_.maxRadiance; }
     FirstHitImage firstHits(const std::function<void(double)>& onProgress) override;
+    FeatureImage features(const std::function<void(double)>& onProgress) override;
     uint64_t cutPixels() const override { return cutPixels_; }
     DeviceInfo info() const override { return device().info(); }
     const char* tree() const override { return nameOf(builder_); }

@@ -30,8 +30,9 @@ void requireNoneMissing(const std::string& path, const Film& film, const KeptFil
 } // namespace
 
 FilmKeeper::FilmKeeper(const FilmOptions& options, FilmLabel label, const Crop& crop,
-                       std::vector<std::filesystem::path> spareFolders, OnWarning onWarning)
-    : options_(options), label_(std::move(label)), crop_(crop),
+                       ReplicaDetail detail, std::vector<std::filesystem::path> spareFolders,
+                       OnWarning onWarning)
+    : options_(options), label_(std::move(label)), crop_(crop), detail_(detail),
       file_(options.path(), std::move(spareFolders)), onWarning_(std::move(onWarning)) {
     readContinued();
     if (continued_)
@@ -43,11 +44,16 @@ FilmKeeper::FilmKeeper(const FilmOptions& options, FilmLabel label, const Crop& 
 KeptFilm FilmKeeper::readOurs(const std::string& path, const char* advice) const {
     try {
         KeptFilm kept = readLabelledFilm(path);
-        requireSameOrigin(path, kept, label_, crop_.width, crop_.height, kept.film.unit());
+        requireSameOrigin(path, kept, label_, crop_.width, crop_.height, kept.film.unit(),
+                          detailFor(kept.film));
         return kept;
     } catch (const SceneError& error) {
         failWith(error, advice);
     }
+}
+
+ReplicaDetail FilmKeeper::detailFor(const Film& continued) const {
+    return detail_ == ReplicaDetail::Color ? detail_ : continued.detail();
 }
 
 void FilmKeeper::readContinued() {
@@ -70,9 +76,9 @@ Film FilmKeeper::begin(const RenderSettings& settings, double maxRadiance,
     const double unit = filmUnit(maxRadiance);
     if (continued_)
         requireSameOrigin(continuedPath_, *continued_, label_, settings.crop.width,
-                          settings.crop.height, unit);
+                          settings.crop.height, unit, detailFor(continued_->film));
     Film film = continued_ ? std::move(continued_->film)
-                           : Film(settings.crop.width, settings.crop.height, unit);
+                           : Film(settings.crop.width, settings.crop.height, unit, detail_);
     continued_.reset();
     device_ = nameWithDriver(device);
     blocksBefore_ = film.blocks().count();

@@ -22,9 +22,9 @@ public:
     using OnWarning = std::function<void(const std::string&)>;
 
     /// Reads the film to continue, if there is one: that of `resume`, or `film` if it exists and is
-    /// not to be overwritten. Throws SceneError if it is damaged or does not fit the label.
-    /// `spareFolders` is where the film is kept if its own folder has no room.
-    FilmKeeper(const FilmOptions& options, FilmLabel label, const Crop& crop,
+    /// not to be overwritten. Throws SceneError if it is damaged or does not fit the label, or has
+    /// less than `detail`. `spareFolders` is where the film is kept if its own folder has no room.
+    FilmKeeper(const FilmOptions& options, FilmLabel label, const Crop& crop, ReplicaDetail detail,
                std::vector<std::filesystem::path> spareFolders, OnWarning onWarning);
 
     /// Whether a film is written at all.
@@ -51,10 +51,13 @@ private:
     /// A film of the options, which must fit the label. `advice` ends the message if it does not.
     KeptFilm readOurs(const std::string& path, const char* advice) const;
     void readContinued();
+    /// That of the film to continue, if it has more than is needed.
+    ReplicaDetail detailFor(const Film& continued) const;
 
     FilmOptions options_;
     FilmLabel label_;
     Crop crop_;
+    ReplicaDetail detail_;
     SpareFile file_;
     OnWarning onWarning_;
     std::string lastWarning_;

@@ -12,7 +12,7 @@ namespace {
 void join(KeptFilm& joined, const std::string& path) {
     const KeptFilm next = readLabelledFilm(path);
     requireSameOrigin(path, next, joined.label, joined.film.width(), joined.film.height(),
-                      joined.film.unit(), joined.film.channels());
+                      joined.film.unit(), joined.film.detail());
     if (const BlockRange both = joined.film.blocks().firstOverlap(next.film.blocks()); both.end > 0)
         throw SceneError(path, "the film cannot be joined: the samples " + sampleText(both) +
                                    " are in a film before it too");
@@ -25,7 +25,7 @@ void join(KeptFilm& joined, const std::string& path) {
 bool hasSameOrigin(const std::string& path, const KeptFilm& a, const KeptFilm& b) {
     try {
         requireSameOrigin(path, a, b.label, b.film.width(), b.film.height(), b.film.unit(),
-                          b.film.channels());
+                          b.film.detail());
         return true;
     } catch (const SceneError&) {
         return false;

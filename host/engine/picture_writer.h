@@ -1,11 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "engine/output_options.h"
+#include "engine/picture_denoiser.h"
 #include "film/film_file.h"
+#include "image/features.h"
 #include "image/first_hit.h"
 #include "image/picture.h"
 #include "render/session.h"
@@ -15,28 +18,30 @@ namespace calotype {
 /// Writes the pictures of a render, at the end and as previews.
 class PictureWriter {
 public:
-    /// `firstHits` is the source of the first-hit layers, empty if there are none. The options and
-    /// the label must outlive this object. A picture whose folder has no room is kept in one of
+    /// The sources of layers are empty where there are no such layers. The options, the label and
+    /// the sources must outlive this object. A picture whose folder has no room is kept in one of
     /// `spareFolders`.
-    PictureWriter(const OutputOptions& options, const FilmLabel& label, FirstHitImage firstHits,
+    PictureWriter(const OutputOptions& options, const FilmLabel& label,
+                  const FirstHitImage& firstHits, const FeatureImage& features,
                   std::vector<std::filesystem::path> spareFolders)
-        : options_(options), label_(label), firstHits_(std::move(firstHits)),
+        : options_(options), label_(label), firstHits_(firstHits), features_(features),
           spareFolders_(std::move(spareFolders)) {}
 
     /// Writes every output that can be written, then throws OutputError with all failures, and
-    /// where those pictures are kept.
-    void writeOutputs(Session& session) const;
+    /// where those pictures are kept. `clean`, if there is one, is the picture after denoising.
+    void writeOutputs(Session& session, const std::optional<CleanPicture>& clean) const;
 
     /// Throws OutputError.
     void writePreview(Session& session) const;
 
 private:
     /// The picture so far, with its layers and metadata.
-    Picture pictureOf(Session& session) const;
+    Picture pictureOf(Session& session, const std::optional<CleanPicture>& clean) const;
 
     const OutputOptions& options_;
     const FilmLabel& label_;
-    FirstHitImage firstHits_;
+    const FirstHitImage& firstHits_;
+    const FeatureImage& features_;
     std::vector<std::filesystem::path> spareFolders_;
 };
 

@@ -4,6 +4,8 @@
 #include <thread>
 
 #include "engine/stage_seconds.h"
+#include "render/feature_rays.h"
+#include "render/reference_features.h"
 #include "render/reference_first_hits.h"
 
 namespace calotype {
@@ -29,6 +31,10 @@ ReferenceEngine::ReferenceEngine(const DeviceOptions& options, const Scene& scen
 
 FirstHitImage ReferenceEngine::firstHits(const std::function<void(double)>& onProgress) {
     return referenceFirstHits(tracer_, settings_, threads_, onProgress);
+}
+
+FeatureImage ReferenceEngine::features(const std::function<void(double)>& onProgress) {
+    return referenceFeatures(tracer_, settings_, kFeatureRays, threads_, onProgress);
 }
 
 DeviceInfo ReferenceEngine::info() const {

@@ -8,6 +8,7 @@
 #include "engine/device_session.h"
 #include "engine/stage_seconds.h"
 #include "gpu/device_info.h"
+#include "image/features.h"
 #include "image/first_hit.h"
 #include "render/block_tracer.h"
 #include "scene/scene.h"
@@ -28,6 +29,9 @@ public:
     /// Needs EngineRequest::wantsFirstHits. `onProgress` is called with the share done in [0, 1].
     virtual FirstHitImage firstHits(const std::function<void(double)>& onProgress) = 0;
 
+    /// Needs EngineRequest::wantsFeatures. `onProgress` is called with the share done in [0, 1].
+    virtual FeatureImage features(const std::function<void(double)>& onProgress) = 0;
+
     /// Pixels of the first hits that show a surface the ray should have passed through.
     virtual uint64_t cutPixels() const { return 0; }
 
@@ -44,6 +48,7 @@ public:
 struct EngineRequest {
     RenderSettings settings;
     bool wantsFirstHits = false;
+    bool wantsFeatures = false;
     /// Called with the current step and its share done in [0, 1]; may throw to end it.
     std::function<void(const std::string&, double)> onProgress = {};
 };

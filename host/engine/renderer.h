@@ -3,10 +3,12 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/error.h"
+#include "denoise/denoised_error.h"
 #include "engine/render_plan.h"
 #include "read/load.h"
 #include "render/render_totals.h"
@@ -49,6 +51,10 @@ struct RenderResult {
     /// Samples, rays, seconds and the error, which has no value if the samples are too few (below
     /// 32) or the picture is black.
     RenderTotals totals;
+    bool isDenoised = false;
+    /// The error of the picture after denoising; none without it, or where nobody can state it: for
+    /// fewer than 128 samples per pixel, or if the estimate in `totals` is not to be trusted.
+    std::optional<DenoisedError> denoised;
     std::vector<std::string> warnings; ///< of the scene and of the render: complete sentences
 };
 

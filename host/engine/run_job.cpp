@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "engine/film_label.h"
 #include "engine/loss_warnings.h"
 #include "engine/make_session.h"
+#include "engine/picture_denoiser.h"
 #include "engine/picture_writer.h"
 #include "engine/render_engine.h"
 #include "engine/scene_settings.h"
@@ -57,20 +59,28 @@ public:
         requireConsistent(job_);
         result_.warnings = scene_.warnings;
         const std::vector<std::filesystem::path> folders = outputFolders();
-        FilmKeeper keeper(job_.film, labelOf(scene_, settings_), settings_.crop, folders,
+        std::optional<PictureDenoiser> denoiser;
+        if (settings_.denoiser != DenoiserKind::Off)
+            denoiser.emplace(settings_.denoiser, device_.options().denoiserLibrary);
+        FilmKeeper keeper(job_.film, labelOf(scene_, settings_), settings_.crop,
+                          denoiser ? ReplicaDetail::Color : ReplicaDetail::Luminance, folders,
                           [&](const std::string& warning) { warn(warning); });
-        const bool wantsHits =
-            hasSource(neededLayers(job_.output.layers, job_.output.stages), LayerSource::FirstHit);
+        const LayerList layers = neededLayers(job_.output.layers, job_.output.stages);
+        const bool wantsHits = hasSource(layers, LayerSource::FirstHit);
+        const bool wantsFeatures = denoiser || hasSource(layers, LayerSource::Averaged);
         const auto onStep = [&](const std::string& what, double done) { prepare(what, done); };
         const std::unique_ptr<RenderEngine> engine =
-            makeEngine(device_, scene_, {settings_, wantsHits, onStep}, seconds_);
+            makeEngine(device_, scene_, {settings_, wantsHits, wantsFeatures, onStep}, seconds_);
         throwIfStopped();
         if (settings_.targetError && engine->maxRadiance() == 0.0)
             throw SettingError("target_error", "has nothing to aim at: the scene has no light");
         FirstHitImage hits;
         if (wantsHits)
             hits = engine->firstHits([&](double done) { prepare("finding first hits", done); });
-        const PictureWriter writer(job_.output, keeper.label(), std::move(hits), folders);
+        FeatureImage features;
+        if (wantsFeatures)
+            features = engine->features([&](double done) { prepare("finding features", done); });
+        const PictureWriter writer(job_.output, keeper.label(), hits, features, folders);
         if (callbacks_.onPrepared)
             callbacks_.onPrepared();
         const std::unique_ptr<Session> session = begin(*engine, keeper);
@@ -81,6 +91,8 @@ public:
         result_.totals = session->totals();
         seconds_.render = result_.totals.seconds;
         seconds_.firstSample = prepared + result_.totals.firstSampleSeconds;
+        if (denoiser && session->totals().samplesPerPixel > 0)
+            denoisePicture(*denoiser, *session, features);
         writeAll(*session, *engine, keeper, writer);
         takePixels(*session);
         engine->finish();
@@ -184,6 +196,17 @@ private:
         }
     }
 
+    void denoisePicture(const PictureDenoiser& denoiser, Session& session,
+                        const FeatureImage& features) {
+        report("denoising", 0.0);
+        clean_ = timed(seconds_.denoise, [&] {
+            return denoiser.run(*session.evenFilm(), session.picture(), features,
+                                device_.options().threads);
+        });
+        result_.isDenoised = true;
+        result_.denoised = clean_->error;
+    }
+
     /// If one of the outputs fails, the others are still written.
     void writeAll(Session& session, const RenderEngine& engine, FilmKeeper& keeper,
                   const PictureWriter& writer) {
@@ -191,14 +214,14 @@ private:
         OutputFailures failures;
         if (keeper.isWanted())
             failures.attempt([&] { keeper.save(*film_); });
-        failures.attempt([&] { writer.writeOutputs(session); });
+        failures.attempt([&] { writer.writeOutputs(session, clean_); });
         seconds_.write = secondsSince(before);
         if (!job_.output.statsFile.empty())
             failures.attempt([&] {
                 writeFileAtomically(
                     job_.output.statsFile,
-                    toJson({engine.info(), settings_, scene_.hash, result_.totals, result_.ending,
-                            seconds_, engine.deviceBytes(), engine.tree()}));
+                    toJson({engine.info(), settings_, scene_.hash, result_.totals, result_.denoised,
+                            result_.ending, seconds_, engine.deviceBytes(), engine.tree()}));
             });
         failures.throwIfAny();
     }
@@ -213,7 +236,7 @@ private:
         result_.width = settings_.crop.width;
         result_.height = settings_.crop.height;
         if (job_.returnsPixels)
-            result_.pixels = floatsOf(session.picture());
+            result_.pixels = floatsOf(clean_ ? clean_->color : session.picture());
     }
 
     const Scene& scene_;
@@ -224,7 +247,8 @@ private:
     Clock::time_point start_;
     StageSeconds seconds_;
     RenderResult result_;
-    const Film* film_ = nullptr; ///< of the session, if a film may be written
+    std::optional<CleanPicture> clean_; ///< the picture after denoising
+    const Film* film_ = nullptr;        ///< of the session, if a film may be written
 };
 
 } // namespace

@@ -11,6 +11,9 @@
 namespace calotype {
 namespace {
 
+/// The sums of the film for many samples, and the picture (docs/limitations.md).
+constexpr uint64_t kHostBytesPerPixel = 80;
+
 void addTree(SceneSummary& summary, const CompiledScene& compiled) {
     const BvhStatistics statistics = bvhStatistics(compiled.bvh);
     summary.builder = compiled.builder;
@@ -63,8 +66,11 @@ DeviceTextureMemory textureMemoryOf(const DeviceOptions& options) {
 DeviceFit fitOf(const RenderSettings& settings, const DeviceOptions& options) {
     const DeviceSession session(options);
     const Device& device = session.device();
-    const DeviceFit fit{device.info().name, device.choice().reason,
-                        pathTracerBytes(device, settings), device.info().memoryBytes,
+    const DeviceFit fit{device.info().name,
+                        device.choice().reason,
+                        pathTracerBytes(device, settings),
+                        kHostBytesPerPixel * settings.width * settings.height,
+                        device.info().memoryBytes,
                         uint64_t{device.limits().maxTexelBufferElements} * 16};
     session.throwOnValidationMessages();
     return fit;

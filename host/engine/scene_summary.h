@@ -47,6 +47,7 @@ struct DeviceFit {
     std::string device;        ///< its name
     std::string reason;        ///< why it was chosen
     uint64_t pictureBytes = 0; ///< of a picture with these settings, without the scene
+    uint64_t hostBytes = 0;    ///< of this machine's memory, about, for the picture's samples
     uint64_t memoryBytes = 0;  ///< of the device
     uint64_t bufferBytes = 0;  ///< limit of one buffer
 };

@@ -14,6 +14,7 @@ struct StageSeconds {
     double compile = 0.0;
     double firstSample = 0.0; ///< from the start of the program until every pixel had one sample
     double render = 0.0;      ///< sampling alone
+    double denoise = 0.0;
     double write = 0.0;
 };
 

@@ -12,6 +12,8 @@ namespace calotype {
 
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 const char* nameOf(RenderEnding ending) {
     switch (ending) {
     case RenderEnding::AllSamples:
@@ -47,8 +49,8 @@ uint64_t peakMemoryBytes() {
 }
 
 std::string toJson(const RenderStatistics& statistics) {
-    const auto& [device, settings, sceneHash, totals, ending, seconds, deviceBytes, tree] =
-        statistics;
+    const auto& [device, settings, sceneHash, totals, denoised, ending, seconds, deviceBytes,
+                 tree] = statistics;
     nlohmann::ordered_json json = newJsonDocument();
     json["device"] = device.name;
     json["driver"] = device.driver;
@@ -57,6 +59,8 @@ std::string toJson(const RenderStatistics& statistics) {
     json["spp"] = totals.samplesPerPixel;
     json["ended_by"] = nameOf(ending);
     json["error"] = describeError(totals.error);
+    json["denoised_error"] = denoised ? Json(denoised->relative) : Json();
+    json["denoised_bound"] = denoised ? Json(denoised->bound) : Json();
     for (const Setting& setting : settingsTable())
         if ((setting.commands & kRenderCommand) && !json.contains(setting.name))
             json[setting.name] = setting.value(settings);
@@ -67,6 +71,7 @@ std::string toJson(const RenderStatistics& statistics) {
                        {"compile", seconds.compile},
                        {"first_sample", seconds.firstSample},
                        {"render", seconds.render},
+                       {"denoise", seconds.denoise},
                        {"write", seconds.write}};
     json["rays"] = totals.rays;
     json["paths"] = totals.paths;

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "denoise/denoised_error.h"
 #include "engine/stage_seconds.h"
 #include "gpu/device_info.h"
 #include "render/session.h"
@@ -19,6 +20,7 @@ struct RenderStatistics {
     RenderSettings settings;
     uint64_t sceneHash = 0;
     RenderTotals totals;
+    std::optional<DenoisedError> denoised; ///< none: not denoised, or not stated
     RenderEnding ending = RenderEnding::AllSamples;
     StageSeconds seconds;
     uint64_t deviceBytes = 0;

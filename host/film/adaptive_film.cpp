@@ -19,7 +19,7 @@ AdaptiveFilm::AdaptiveFilm(uint32_t width, uint32_t height, double unit)
     : width_(width), height_(height), unit_(unit), luminances_(size_t{width} * height * kReplicas) {
     CALOTYPE_CHECK_EQ(unit, filmUnit(unit));
     for (Half& half : halves_) {
-        half.colors = FixedPointArray(Film::kColorChannels * width * height);
+        half.colors = FixedPointArray(Film::kChannels * width * height);
         half.blocks.resize(size_t{width} * height);
     }
     CALOTYPE_CHECK_LT(0u, pixelCount());
@@ -48,21 +48,18 @@ void AdaptiveFilm::addBlock(uint32_t block, std::span<const glm::vec4> blockSums
 void AdaptiveFilm::addTerms(uint32_t block, std::span<const glm::vec4> blockSums,
                             std::span<const uint8_t> isLeftOut) {
     const size_t firstLuminance = block % kReplicas * pixelCount();
-    std::vector<FixedPoint> colors;
-    std::vector<FixedPoint> luminances;
-    for (size_t first = 0; first < pixelCount(); first += FixedPointArray::kChunkNumbers) {
-        const size_t end = std::min(first + FixedPointArray::kChunkNumbers, pixelCount());
-        colors.clear();
-        luminances.clear();
+    FilmTerms terms;
+    for (size_t first = 0; first < pixelCount(); first += FilmTerms::kMostPixels) {
+        const size_t end = std::min(first + FilmTerms::kMostPixels, pixelCount());
+        terms.clear();
         for (size_t i = first; i < end; ++i) {
             FilmTerm term;
             if (isLeftOut[i] == 0)
                 term = toFilmTerm(blockSums[i], unit_, losses_).value_or(FilmTerm{});
-            colors.insert(colors.end(), term.color.begin(), term.color.end());
-            luminances.push_back(term.luminance);
+            terms.add(term);
         }
-        halves_[block % kHalves].colors.add(Film::kColorChannels * first, colors);
-        luminances_.add(firstLuminance + first, luminances);
+        halves_[block % kHalves].colors.add(Film::kChannels * first, terms.colors());
+        luminances_.add(firstLuminance + first, terms.luminances());
     }
 }
 
@@ -120,7 +117,7 @@ Image AdaptiveFilm::picture(uint32_t half, std::span<const glm::vec4> partialBlo
         glm::dvec3 means(0.0);
         double count = 0.0; // halves that have samples
         for (uint32_t h = 0; h < kHalves; ++h) {
-            glm::dvec3 sum = unit_ * colorSum(halves_[h].colors, Film::kColorChannels * i);
+            glm::dvec3 sum = unit_ * colorSum(halves_[h].colors, Film::kChannels * i);
             double samples = double{kSamplesPerBlock} * halves_[h].blocks[i];
             if (h == half && !partialBlock.empty() && isLeftOut[i] == 0) {
                 FilmLosses ignored;

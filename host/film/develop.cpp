@@ -24,14 +24,8 @@ void remove(const Layer& layer, Picture& picture) {
 } // namespace
 
 std::vector<Channel> channelsOf(const Layer& layer, const Film& film) {
-    if (layer.source == LayerSource::Replicas)
-        return channelsOf(layer, pixelErrors(film));
-    CALOTYPE_CHECK_EQ(layer.source == LayerSource::Averaged, true);
-    std::vector<Channel> channels;
-    for (size_t i = 0; i < film.channels().size(); ++i)
-        if (std::ranges::find(layer.channels, film.channels()[i]) != layer.channels.end())
-            channels.push_back({film.channels()[i], film.mean(i)});
-    return channels;
+    CALOTYPE_CHECK_EQ(layer.source == LayerSource::Replicas, true);
+    return channelsOf(layer, pixelErrors(film));
 }
 
 std::vector<Channel> channelsOf(const Layer& layer, const AdaptiveFilm& film) {

@@ -11,8 +11,7 @@
 
 namespace calotype {
 
-/// The channels of a layer, made from a film alone: of any layer in layersOfFilms(). Of a layer
-/// that is averaged over samples, those that the film has. An adaptive film has none of these.
+/// The channels of a layer that is made from a film alone: of any in layersOfFilms().
 std::vector<Channel> channelsOf(const Layer& layer, const Film& film);
 std::vector<Channel> channelsOf(const Layer& layer, const AdaptiveFilm& film);
 

@@ -46,52 +46,45 @@ FilmLosses& FilmLosses::operator+=(const FilmLosses& other) {
     return *this;
 }
 
-Film::Film(uint32_t width, uint32_t height, double unit, const std::vector<std::string>& others)
+Film::Film(uint32_t width, uint32_t height, double unit, ReplicaDetail detail)
     : Film(width, height, unit,
-           {{},
-            FixedPointArray(size_t{width} * height * (kColorChannels + others.size())),
-            FixedPointArray(size_t{width} * height * kReplicas),
-            {}},
-           others) {}
+           {.blocks = {},
+            .colors = FixedPointArray(kChannels * width * height),
+            .luminances = FixedPointArray(size_t{kReplicas} * width * height),
+            .replicaColors = FixedPointArray(
+                detail == ReplicaDetail::Color ? kChannels * kReplicas * width * height : 0),
+            .losses = {}}) {}
 
-Film::Film(uint32_t width, uint32_t height, double unit, Sums sums,
-           const std::vector<std::string>& others)
-    : width_(width), height_(height), unit_(unit), channels_{"R", "G", "B"},
-      sums_(std::move(sums)) {
-    channels_.insert(channels_.end(), others.begin(), others.end());
+Film::Film(uint32_t width, uint32_t height, double unit, Sums sums)
+    : width_(width), height_(height), unit_(unit), sums_(std::move(sums)) {
     CALOTYPE_CHECK_LT(0u, pixelCount());
-    CALOTYPE_CHECK_EQ(sums_.channels.size(), pixelCount() * channels_.size());
-    CALOTYPE_CHECK_EQ(sums_.luminances.size(), pixelCount() * kReplicas);
+    CALOTYPE_CHECK_EQ(sums_.colors.size(), kChannels * pixelCount());
+    CALOTYPE_CHECK_EQ(sums_.luminances.size(), kReplicas * pixelCount());
+    if (detail() == ReplicaDetail::Color)
+        CALOTYPE_CHECK_EQ(sums_.replicaColors.size(), kChannels * kReplicas * pixelCount());
     CALOTYPE_CHECK_EQ(unit, filmUnit(unit));
 }
 
-void Film::addBlock(uint32_t block, std::span<const glm::vec4> blockSums, const FilmLosses& losses,
-                    std::span<const float> otherSums) {
-    const size_t others = channels_.size() - kColorChannels;
+void Film::addBlock(uint32_t block, std::span<const glm::vec4> blockSums,
+                    const FilmLosses& losses) {
     CALOTYPE_CHECK_EQ(blockSums.size(), pixelCount());
-    CALOTYPE_CHECK_EQ(otherSums.size(), pixelCount() * others);
     CALOTYPE_CHECK_LT(sums_.blocks.count(), kMaxBlocks);
     sums_.blocks.add({block, block + 1});
     sums_.losses += losses;
-    const size_t firstLuminance = block % kReplicas * pixelCount();
-    // Pixels are added by the size of a chunk, so that each chunk of the sums is changed once.
-    std::vector<FixedPoint> channelTerms;
-    std::vector<FixedPoint> luminanceTerms;
-    for (size_t first = 0; first < pixelCount(); first += FixedPointArray::kChunkNumbers) {
-        const size_t end = std::min(first + FixedPointArray::kChunkNumbers, pixelCount());
-        channelTerms.clear();
-        luminanceTerms.clear();
-        for (size_t i = first; i < end; ++i) {
-            CALOTYPE_CHECK_EQ(blockSums[i].w, float{kSamplesPerBlock});
-            const FilmTerm term =
-                toFilmTerm(blockSums[i], unit_, sums_.losses).value_or(FilmTerm{});
-            channelTerms.insert(channelTerms.end(), term.color.begin(), term.color.end());
-            luminanceTerms.push_back(term.luminance);
-            for (const float sum : otherSums.subspan(i * others, others))
-                channelTerms.push_back(isInRange(sum, 1.0) ? toFixedPoint(sum) : 0);
+    const size_t firstOfReplica = block % kReplicas * pixelCount();
+    FilmTerms terms;
+    for (size_t first = 0; first < pixelCount(); first += FilmTerms::kMostPixels) {
+        const size_t count = std::min(FilmTerms::kMostPixels, pixelCount() - first);
+        terms.clear();
+        for (const glm::vec4& sum : blockSums.subspan(first, count)) {
+            CALOTYPE_CHECK_EQ(sum.w, float{kSamplesPerBlock});
+            terms.add(toFilmTerm(sum, unit_, sums_.losses).value_or(FilmTerm{}));
         }
-        sums_.channels.add(first * channels_.size(), channelTerms);
-        sums_.luminances.add(firstLuminance + first, luminanceTerms);
+        const std::span<const FixedPoint> colors = terms.colors();
+        sums_.colors.add(kChannels * first, colors);
+        sums_.luminances.add(firstOfReplica + first, terms.luminances());
+        if (detail() == ReplicaDetail::Color)
+            sums_.replicaColors.add(kChannels * (firstOfReplica + first), colors);
     }
 }
 
@@ -99,11 +92,12 @@ void Film::add(const Film& other) {
     CALOTYPE_CHECK_EQ(width_, other.width_);
     CALOTYPE_CHECK_EQ(height_, other.height_);
     CALOTYPE_CHECK_EQ(unit_, other.unit_);
-    CALOTYPE_CHECK_EQ(channels_ == other.channels_, true);
+    CALOTYPE_CHECK_EQ(detail() == other.detail(), true);
     sums_.blocks.add(other.sums_.blocks);
     CALOTYPE_CHECK_LE(sums_.blocks.count(), kMaxBlocks);
-    sums_.channels.add(other.sums_.channels);
+    sums_.colors.add(other.sums_.colors);
     sums_.luminances.add(other.sums_.luminances);
+    sums_.replicaColors.add(other.sums_.replicaColors);
     sums_.losses += other.sums_.losses;
 }
 
@@ -113,7 +107,7 @@ Image Film::picture(std::span<const glm::vec4> partialBlock) const {
     Image image(width_, height_);
     const auto samplesOfFilm = static_cast<double>(samplesPerPixel());
     for (size_t i = 0; i < pixelCount(); ++i) {
-        glm::dvec3 sum = unit_ * colorSum(sums_.channels, i * channels_.size());
+        glm::dvec3 sum = unit_ * colorSum(sums_.colors, kChannels * i);
         double samples = samplesOfFilm;
         if (!partialBlock.empty()) {
             const glm::vec4& partial = partialBlock[i];
@@ -127,18 +121,18 @@ Image Film::picture(std::span<const glm::vec4> partialBlock) const {
     return image;
 }
 
-std::vector<float> Film::mean(size_t channel) const {
-    CALOTYPE_CHECK_LT(channel, channels_.size());
-    std::vector<float> means(pixelCount());
-    const uint64_t samples = samplesPerPixel();
+Image Film::replicaPicture(uint32_t replica) const {
+    CALOTYPE_CHECK_LT(replica, kReplicas);
+    CALOTYPE_CHECK_EQ(detail() == ReplicaDetail::Color, true);
+    Image image(width_, height_);
+    const uint64_t samples = samplesOfReplica(replica);
     if (samples == 0)
-        return means;
-    const double scale = (channel < kColorChannels ? unit_ : 1.0) / static_cast<double>(samples);
-    for (size_t i = 0; i < means.size(); ++i) {
-        const FixedPoint sum = sums_.channels[i * channels_.size() + channel];
-        means[i] = static_cast<float>(scale * fromFixedPoint(sum));
-    }
-    return means;
+        return image;
+    const double scale = unit_ / static_cast<double>(samples);
+    for (size_t i = 0; i < pixelCount(); ++i)
+        image.pixels[i] = glm::vec3(
+            scale * colorSum(sums_.replicaColors, kChannels * (replica * pixelCount() + i)));
+    return image;
 }
 
 std::optional<FilmTerm> toFilmTerm(const glm::vec4& blockSum, double unit, FilmLosses& losses) {

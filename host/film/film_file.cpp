@@ -32,12 +32,10 @@
 //     12  bytes of the description, 32 bits
 //     16  checksum of all that follows, 64 bits
 //     24  description: JSON
-//         the sums of all channels of the first pixel, of the second, ...; then the luminances of
-//         replica 0, 1, ...; numbers of 128 bits in chunks of 65,536: the first bytes of all
-//         numbers of the chunk, then their second bytes, ...; compressed by zlib
-//
-// The channels are R, G and B in version 1. In version 2 there are more, and the description names
-// them all.
+//         R, G and B of the first pixel, of the second, ...; then the luminances of replica 0, 1,
+//         ...; in version 2 then R, G and B of all pixels for replica 0, 1, ...; numbers of 128
+//         bits in chunks of 65,536: the first bytes of all numbers of the chunk, then their second
+//         bytes, ...; compressed by zlib
 namespace calotype {
 namespace {
 
@@ -45,8 +43,7 @@ using Json = nlohmann::json;
 
 constexpr std::string_view kMagic = "CALOFILM";
 constexpr uint32_t kVersion = 1;
-constexpr uint32_t kVersionWithChannels = 2;
-constexpr size_t kMostChannels = 256;
+constexpr uint32_t kVersionWithColors = 2; ///< of replicas
 constexpr size_t kDescriptionAt = 24;
 constexpr size_t kChunkNumbers = 65536;
 constexpr size_t kNumberBytes = sizeof(FixedPoint);
@@ -78,10 +75,10 @@ struct FileChunk {
 
 /// All chunks, in the order of the file. No two of them share a chunk of an array.
 template <typename Array>
-std::vector<FileChunk<Array>> chunksOf(Array& channels, Array& luminances) {
+std::vector<FileChunk<Array>> chunksOf(Array& colors, Array& luminances, Array& replicaColors) {
     static_assert(kChunkNumbers % FixedPointArray::kChunkNumbers == 0);
     std::vector<FileChunk<Array>> chunks;
-    for (Array* array : {&channels, &luminances})
+    for (Array* array : {&colors, &luminances, &replicaColors})
         for (size_t first = 0; first < array->size(); first += kChunkNumbers)
             chunks.push_back({array, first, std::min(kChunkNumbers, array->size() - first)});
     return chunks;
@@ -132,7 +129,9 @@ bool decompress(std::string_view compressed, const FileChunk<FixedPointArray>& c
     return true;
 }
 
-bool hasOtherChannels(const Film& film) { return film.channels().size() > Film::kColorChannels; }
+uint32_t versionOf(const Film& film) {
+    return film.detail() == ReplicaDetail::Color ? kVersionWithColors : kVersion;
+}
 
 Json describe(const FilmLabel& label, const Film& film, const std::vector<std::string>& chunks) {
     Json blocks = Json::array();
@@ -154,8 +153,6 @@ Json describe(const FilmLabel& label, const Film& film, const std::vector<std::s
                         {"non_finite_pixels", losses.nonFinitePixels},
                         {"overflowed_pixels", losses.overflowedPixels},
                         {"chunk_bytes", chunkBytes}};
-    if (hasOtherChannels(film))
-        description["channels"] = film.channels();
     if (!label.camera.empty())
         description["camera"] = label.camera;
     return description;
@@ -187,17 +184,6 @@ BlockRanges readBlocks(const Json& description) {
     return blocks;
 }
 
-/// The names of the channels beside R, G and B.
-std::vector<std::string> readOtherChannels(const Json& description) {
-    std::vector<std::string> channels = description.at("channels");
-    const std::vector<std::string> colors = {"R", "G", "B"};
-    if (channels.size() <= Film::kColorChannels || channels.size() > kMostChannels ||
-        !std::equal(colors.begin(), colors.end(), channels.begin()))
-        throw std::out_of_range("channels");
-    channels.erase(channels.begin(), channels.begin() + Film::kColorChannels);
-    return channels;
-}
-
 /// Throws if the description and the chunks do not fit each other.
 KeptFilm readParts(const Json& description, std::string_view compressed, uint32_t version) {
     const auto width = numberIn<uint32_t>(description.at("width"), 1, kLargestPictureSide);
@@ -205,13 +191,12 @@ KeptFilm readParts(const Json& description, std::string_view compressed, uint32_
     std::vector<uint64_t> sizes;
     for (const Json& size : description.at("chunk_bytes"))
         sizes.push_back(numberIn<uint64_t>(size, 0, compressed.size()));
-    std::vector<std::string> others;
-    if (version == kVersionWithChannels)
-        others = readOtherChannels(description);
-    const size_t channels = Film::kColorChannels + others.size();
     const size_t pixels = size_t{width} * height;
+    const size_t ofColors = pixels * Film::kChannels;
+    const size_t ofLuminances = pixels * shared::kReplicas;
+    const size_t ofReplicaColors = version == kVersionWithColors ? ofColors * shared::kReplicas : 0;
     const auto chunksFor = [](size_t n) { return (n + kChunkNumbers - 1) / kChunkNumbers; };
-    if (sizes.size() != chunksFor(channels * pixels) + chunksFor(shared::kReplicas * pixels))
+    if (sizes.size() != chunksFor(ofColors) + chunksFor(ofLuminances) + chunksFor(ofReplicaColors))
         throw std::out_of_range("chunks");
     std::vector<std::string_view> chunks;
     for (const uint64_t size : sizes) {
@@ -225,7 +210,7 @@ KeptFilm readParts(const Json& description, std::string_view compressed, uint32_
     size_t given = 0;
     for (const uint64_t size : sizes)
         given += size;
-    if ((channels + shared::kReplicas) * pixels * kNumberBytes > kMostPerByte * given ||
+    if ((ofColors + ofLuminances + ofReplicaColors) * kNumberBytes > kMostPerByte * given ||
         !compressed.empty())
         throw std::out_of_range("chunks");
     Film::Sums sums;
@@ -235,9 +220,10 @@ KeptFilm readParts(const Json& description, std::string_view compressed, uint32_
     };
     sums.losses = {count("non_finite_samples"), count("cut_paths"), count("non_finite_pixels"),
                    count("overflowed_pixels")};
-    sums.channels = FixedPointArray(channels * pixels);
-    sums.luminances = FixedPointArray(shared::kReplicas * pixels);
-    const auto targets = chunksOf(sums.channels, sums.luminances);
+    sums.colors = FixedPointArray(ofColors);
+    sums.luminances = FixedPointArray(ofLuminances);
+    sums.replicaColors = FixedPointArray(ofReplicaColors);
+    const auto targets = chunksOf(sums.colors, sums.luminances, sums.replicaColors);
     std::atomic<bool> isWhole = true;
     parallelFor(0, targets.size(), allCores(), [&](uint64_t i, uint32_t) {
         if (!decompress(chunks[i], targets[i]))
@@ -252,15 +238,7 @@ KeptFilm readParts(const Json& description, std::string_view compressed, uint32_
     label.devices = description.at("devices");
     if (description.contains("camera")) // films of earlier programs lack it
         label.camera = description.at("camera");
-    return {label, Film(width, height, std::ldexp(1.0, exponent), std::move(sums), others)};
-}
-
-/// "R, G, B".
-std::string listed(const std::vector<std::string>& names) {
-    std::string list;
-    for (const std::string& name : names)
-        list += (list.empty() ? "" : ", ") + name;
-    return list;
+    return {label, Film(width, height, std::ldexp(1.0, exponent), std::move(sums))};
 }
 
 } // namespace
@@ -271,7 +249,8 @@ std::string FilmLabel::setting(const std::string& name) const {
 }
 
 void writeFilm(const std::filesystem::path& path, const FilmLabel& label, const Film& film) {
-    const auto chunks = chunksOf(film.sums().channels, film.sums().luminances);
+    const Film::Sums& sums = film.sums();
+    const auto chunks = chunksOf(sums.colors, sums.luminances, sums.replicaColors);
     std::vector<std::string> compressed(chunks.size());
     std::vector<Scratch> scratch(allCores());
     parallelFor(0, chunks.size(), allCores(), [&](uint64_t i, uint32_t thread) {
@@ -282,7 +261,7 @@ void writeFilm(const std::filesystem::path& path, const FilmLabel& label, const 
     std::vector<std::string_view> pieces = {"", description};
     pieces.insert(pieces.end(), compressed.begin(), compressed.end());
     std::string start(kMagic);
-    append(start, hasOtherChannels(film) ? kVersionWithChannels : kVersion);
+    append(start, versionOf(film));
     append(start, static_cast<uint32_t>(description.size()));
     append(start, checksumOf(std::span(pieces).subspan(1)));
     pieces.front() = start;
@@ -300,10 +279,10 @@ KeptFilm readFilm(const std::filesystem::path& path) {
                                    "; films are written by calotype render --film");
     }
     const uint32_t version = littleEndian32(all, kMagic.size());
-    if (version != kVersion && version != kVersionWithChannels)
+    if (version != kVersion && version != kVersionWithColors)
         throw SceneError(name, "the film is of format " + std::to_string(version) +
                                    ", and this Calotype reads formats " + std::to_string(kVersion) +
-                                   " and " + std::to_string(kVersionWithChannels));
+                                   " and " + std::to_string(kVersionWithColors));
     const std::string_view contents = all.substr(kDescriptionAt);
     const uint32_t descriptionBytes = littleEndian32(all, 12);
     if (checksumOf({&contents, 1}) != littleEndian64(all, 16) || descriptionBytes > contents.size())
@@ -330,7 +309,7 @@ bool isFilm(const std::filesystem::path& path) {
 
 void requireSameOrigin(const std::filesystem::path& path, const KeptFilm& film,
                        const FilmLabel& label, uint32_t width, uint32_t height, double unit,
-                       const std::vector<std::string>& channels) {
+                       ReplicaDetail detail) {
     const auto fail = [&](const std::string& difference) {
         throw SceneError(path.string(), "the film cannot be joined: it is of " + difference);
     };
@@ -345,8 +324,10 @@ void requireSameOrigin(const std::filesystem::path& path, const KeptFilm& film,
         fail("lights of another strength");
     if (film.film.width() != width || film.film.height() != height)
         fail("another size");
-    if (film.film.channels() != channels)
-        fail("other channels: " + listed(film.film.channels()) + ", not " + listed(channels));
+    if (film.film.detail() != detail)
+        fail(detail == ReplicaDetail::Color
+                 ? "a render without --denoise, and the other is for denoising"
+                 : "a render for denoising, and the other is without --denoise");
 }
 
 } // namespace calotype

@@ -30,8 +30,8 @@ struct KeptFilm {
 };
 
 /// Writes a film to a file, atomically. The same samples by the same devices give the same bytes,
-/// in whatever order they were added. A film of R, G and B alone has version 1 of the format, one
-/// with more channels version 2. Throws OutputError.
+/// in whatever order they were added. A film with the colours of replicas has version 2 of the
+/// format, any other version 1. Throws OutputError.
 void writeFilm(const std::filesystem::path& path, const FilmLabel& label, const Film& film);
 
 /// Throws SceneError with the path and the problem: a file that cannot be read, is not a film, has
@@ -42,9 +42,9 @@ KeptFilm readFilm(const std::filesystem::path& path);
 bool isFilm(const std::filesystem::path& path);
 
 /// Throws SceneError with the path of `film` if the two films differ in scene, settings, size in
-/// pixels, unit or channels, so that they cannot be joined; the message names the difference.
+/// pixels, unit or detail, so that they cannot be joined; the message names the difference.
 void requireSameOrigin(const std::filesystem::path& path, const KeptFilm& film,
                        const FilmLabel& label, uint32_t width, uint32_t height, double unit,
-                       const std::vector<std::string>& channels = {"R", "G", "B"});
+                       ReplicaDetail detail = ReplicaDetail::Luminance);
 
 } // namespace calotype

@@ -11,7 +11,7 @@ namespace calotype {
 /// Where the values of a layer come from.
 enum class LayerSource : uint8_t {
     FirstHit, ///< a FirstHit for each pixel
-    Averaged, ///< channels of the film beside R, G and B
+    Averaged, ///< Features for each pixel
     Replicas, ///< a PixelError for each pixel
 };
 
@@ -22,7 +22,7 @@ struct Layer {
     std::vector<std::string> channels; ///< their full names: "albedo.R", "albedo.G", "albedo.B"
     bool isInteger = false;            ///< 32-bit unsigned integers; else 32-bit floats
     std::string help;                  ///< meaning and unit of its values
-    size_t offset = 0;                 ///< of its values in a FirstHit or a PixelError, bytes
+    size_t offset = 0; ///< of its values in a FirstHit, Features or a PixelError, bytes
 };
 
 using LayerList = std::vector<const Layer*>;
@@ -30,7 +30,7 @@ using LayerList = std::vector<const Layer*>;
 /// The table.
 LayerList allLayers();
 
-/// The layers of all sources except FirstHit: those that can be made from a film.
+/// The layers that can be made from a film alone: those whose source is Replicas.
 LayerList layersOfFilms();
 
 /// The layer with that name; null if there is none.

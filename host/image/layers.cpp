@@ -38,7 +38,8 @@ std::vector<Layer> makeLayers() {
     makeLayer<type, offsetof(FirstHit, name), sizeof(FirstHit)>(#name, LayerSource::FirstHit,      \
                                                                 channels, help),
 #define CALOTYPE_AVERAGED_ROW(name, type, channels, help)                                          \
-    makeLayer<type, 0, sizeof(type)>(#name, LayerSource::Averaged, channels, help),
+    makeLayer<type, offsetof(Features, name), sizeof(Features)>(#name, LayerSource::Averaged,      \
+                                                                channels, help),
 #define CALOTYPE_REPLICAS_ROW(name, first, type, channels, help)                                   \
     makeLayer<type, offsetof(PixelError, first), sizeof(PixelError)>(#name, LayerSource::Replicas, \
                                                                      channels, help),
@@ -94,7 +95,7 @@ LayerList allLayers() {
 LayerList layersOfFilms() {
     LayerList layers = allLayers();
     std::erase_if(layers,
-                  [](const Layer* layer) { return layer->source == LayerSource::FirstHit; });
+                  [](const Layer* layer) { return layer->source != LayerSource::Replicas; });
     return layers;
 }
 
@@ -119,6 +120,11 @@ std::string namesOf(const LayerList& layers) {
 std::vector<Channel> channelsOf(const Layer& layer, const FirstHitImage& hits) {
     CALOTYPE_CHECK_EQ(layer.source == LayerSource::FirstHit, true);
     return gatherChannels(layer, std::span(hits.pixels));
+}
+
+std::vector<Channel> channelsOf(const Layer& layer, const FeatureImage& features) {
+    CALOTYPE_CHECK_EQ(layer.source == LayerSource::Averaged, true);
+    return gatherChannels(layer, std::span(features.pixels));
 }
 
 std::vector<Channel> channelsOf(const Layer& layer, std::span<const PixelError> errors) {

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "image/features.h"
 #include "image/first_hit.h"
 #include "image/layer.h"
 #include "image/picture.h"
@@ -13,6 +14,9 @@ namespace calotype {
 
 /// The channels of a layer whose source is FirstHit.
 std::vector<Channel> channelsOf(const Layer& layer, const FirstHitImage& hits);
+
+/// The channels of a layer whose source is Averaged.
+std::vector<Channel> channelsOf(const Layer& layer, const FeatureImage& features);
 
 /// The channels of a layer whose source is Replicas.
 std::vector<Channel> channelsOf(const Layer& layer, std::span<const PixelError> errors);

@@ -6,6 +6,7 @@
 
 #include "reference/bsdf.h"
 #include "reference/camera.h"
+#include "reference/features.h"
 
 namespace calotype::reference {
 namespace {
@@ -27,10 +28,13 @@ ReferenceTracer::ReferenceTracer(const Scene& scene, const glm::uvec2& imageSize
       maxBounces_(maxBounces), transport_(transport), geometry_(scene),
       lights_(scene, geometry_, transport.lightChoice) {}
 
-PathSample ReferenceTracer::trace(const SampleId& id) const {
-    return tracePath({scene_, textures_, geometry_, lights_, imageSize_, maxBounces_, transport_},
-                     id);
+PathSetup ReferenceTracer::setup() const {
+    return {scene_, textures_, geometry_, lights_, imageSize_, maxBounces_, transport_};
 }
+
+PathSample ReferenceTracer::trace(const SampleId& id) const { return tracePath(setup(), id); }
+
+Features ReferenceTracer::features(const SampleId& id) const { return traceFeatures(setup(), id); }
 
 FirstHit ReferenceTracer::firstHitAt(const glm::dvec2& filmPosition) const {
     const glm::dvec2 lensCentre(0.0);

@@ -7,6 +7,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "image/features.h"
 #include "image/first_hit.h"
 #include "reference/geometry.h"
 #include "reference/lights.h"
@@ -37,6 +38,9 @@ public:
     /// One sample of one pixel. May be called from several threads.
     PathSample trace(const SampleId& id) const;
 
+    /// What one ray of one pixel shows.
+    Features features(const SampleId& id) const;
+
     /// The first hit of the ray through the centres of the pixel and of the lens.
     FirstHit firstHit(const glm::uvec2& pixel) const { return firstHitAt(glm::dvec2(pixel) + 0.5); }
 
@@ -44,6 +48,8 @@ public:
     FirstHit firstHitAt(const glm::dvec2& filmPosition) const;
 
 private:
+    PathSetup setup() const;
+
     const Scene& scene_;
     std::vector<Texture> textures_; ///< of the scene, with the filter; images are shared
     glm::uvec2 imageSize_;

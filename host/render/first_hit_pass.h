@@ -3,10 +3,9 @@
 #include <cstdint>
 #include <functional>
 
-#include "gpu/buffer.h"
-#include "gpu/compute_pipeline.h"
 #include "image/first_hit.h"
 #include "pack/gpu_scene.h"
+#include "render/record_pass.h"
 #include "render/scene_buffers.h"
 #include "settings/render_settings.h"
 #include "shared/layers.h"
@@ -32,19 +31,11 @@ public:
     uint64_t cutPixels() const { return cutPixels_; }
 
 private:
-    /// Copies a dispatch's records to the image.
-    void readTiles(uint32_t first, uint32_t count, FirstHitImage& image);
     FirstHit toFirstHit(const shared::FirstHitRecord& record) const;
 
-    const Device& device_;
     glm::dvec3 origin_;
-    uint32_t tilesPerRow_;
-    uint32_t tileCount_;
-    uint32_t tilesPerDispatch_;
-    shared::FirstHitParameters parameters_{};
-    Buffer camera_;
-    Buffer records_;
-    ComputePipeline pipeline_;
+    shared::FirstHitParameters parameters_;
+    RecordPass<shared::FirstHitRecord, shared::FirstHitParameters> pass_;
     uint64_t cutPixels_ = 0;
 };
 

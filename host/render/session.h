@@ -14,6 +14,8 @@
 
 namespace calotype {
 
+class Film;
+
 /// What ends a render before it has all its samples.
 struct RenderGoal {
     /// The render ends when ErrorEstimate::upperBound of a trusted estimate is at most this. It is
@@ -56,6 +58,9 @@ public:
     /// The error of the film's whole blocks; none if they are too few for an estimate.
     virtual const std::optional<ErrorEstimate>& error() = 0;
     virtual std::vector<PixelError> pixelErrors() const = 0;
+
+    /// The whole blocks, if all pixels have the same samples; else null.
+    virtual const Film* evenFilm() const { return nullptr; }
 
     /// Also of the whole blocks: the channels of a layer that can be made from a film.
     virtual std::vector<Channel> channelsOf(const Layer& layer) const = 0;

@@ -15,6 +15,10 @@ struct DeviceOptions {
     /// The source of the name, for messages: "--device", or an environment variable.
     std::string askedBy;
 
+    /// The library of Open Image Denoise, or its folder. Empty: in the folder "oidn/lib" beside the
+    /// program, or else of the system.
+    std::string denoiserLibrary;
+
     /// Folder for compiled kernels, made if there is none. Empty: $XDG_CACHE_HOME/calotype, or else
     /// ~/.cache/calotype.
     std::string cacheFolder;

@@ -5,6 +5,7 @@
 
 #include "settings/bvh_builder.h"
 #include "settings/crop.h"
+#include "settings/denoiser_kind.h"
 #include "settings/sampler.h"
 #include "settings/texture_filter.h"
 #include "settings/transport.h"
@@ -26,6 +27,8 @@ struct RenderSettings {
     std::optional<BvhBuilder> bvh = {};              ///< none: the quickest for the samples
     /// Pixels with more error get more samples; firstSample must be 0.
     bool isAdaptive = false;
+    /// What removes the noise of the finished picture; not with isAdaptive.
+    DenoiserKind denoiser = DenoiserKind::Off;
     bool compilesEverything = false; ///< the kernel with all features, not only those of the scene
     /// The render ends when ErrorEstimate::upperBound is at most this, in (0, 1).
     std::optional<double> targetError = {};

@@ -73,6 +73,13 @@ void addPicture(std::vector<Setting>& rows) {
                  const Crop& crop = settings.crop;
                  return Json({crop.x, crop.y, crop.width, crop.height});
              }});
+    static constexpr Named<DenoiserKind> kDenoisers[] = {named(DenoiserKind::Off),
+                                                         named(DenoiserKind::Oidn)};
+    rows.push_back(choice({.name = "denoise",
+                           .help = "Remove the noise of the finished picture, and state its error: "
+                                   "off (default), or oidn (Open Image Denoise 2)",
+                           .group = SettingGroup::Picture},
+                          kDenoisers, [](auto& settings) -> auto& { return settings.denoiser; }));
 }
 
 void addEnd(std::vector<Setting>& rows) {

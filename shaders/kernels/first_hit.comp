@@ -5,6 +5,7 @@
 
 #include "film/tiles.glsl"
 #include "kernels/lane_rays.glsl"
+#include "kernels/record_words.glsl"
 #include "path/first_hit.glsl"
 
 layout(local_size_x = kTileSize * kTileSize) in;
@@ -12,23 +13,12 @@ layout(push_constant) uniform Parameters { FirstHitParameters parameters; };
 layout(set = 0, binding = kBindingCamera) uniform CameraBlock { Camera camera; };
 layout(set = 0, binding = kBindingFirstHits) writeonly buffer FirstHits { uint words[]; };
 
-void put(inout uint place, uint value) { words[place++] = value; }
-void put(inout uint place, float value) { put(place, floatBitsToUint(value)); }
-void put(inout uint place, vec2 value) {
-    put(place, value.x);
-    put(place, value.y);
-}
-void put(inout uint place, vec3 value) {
-    put(place, value.xy);
-    put(place, value.z);
-}
-
 void putRecord(uint index, FirstHitRecord record) {
     uint place = index * kFirstHitWords;
-#define CALOTYPE_PUT(name, type, nothing, channels, help) put(place, record.hit.name);
+#define CALOTYPE_PUT(name, type, nothing, channels, help) PUT_WORDS(words, place, record.hit.name)
     CALOTYPE_FIRST_HIT_LAYERS(CALOTYPE_PUT)
 #undef CALOTYPE_PUT
-    put(place, record.isCut);
+    PUT_WORDS(words, place, record.isCut)
 }
 
 void main() {

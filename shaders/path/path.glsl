@@ -62,18 +62,11 @@ MetSurface surfaceAt(Hit hit, Ray ray) {
     return MetSurface(surface, material, alpha);
 }
 
-/// True if the path continues as if the surface were not there. A ray that enters and leaves the
-/// same primitive hits it twice, so each side has its own random numbers.
+/// True if the path continues as if the surface were not there.
 bool passesThrough(Path path, MetSurface met) {
     Interaction surface = met.surface;
-    bool passes = path.bounce == 0u && isHiddenFromCamera(surface.light);
-    if (hasAlpha && isTransparent(surface.material)) {
-        uint fromBehind = dot(path.rayDirection, surface.ng) > 0.0 ? 1u : 0u;
-        float u = uniformRandomOf(path.id, bounceDimension(path.bounce, kDimensionAlpha),
-                                  2u * surface.id + fromBehind);
-        passes = passes || u >= met.alpha;
-    }
-    return passes;
+    bool isHidden = path.bounce == 0u && isHiddenFromCamera(surface.light);
+    return isHidden || letsPass(path.id, path.bounce, surface, met.alpha, path.rayDirection);
 }
 
 /// Ends a path of low throughput at random, and increases the weight of one that continues (Arvo

@@ -2,7 +2,19 @@
 #ifndef CALOTYPE_PATH_VISIBILITY_GLSL
 #define CALOTYPE_PATH_VISIBILITY_GLSL
 
+#include "core/random.glsl"
 #include "scene/surface.glsl"
+
+/// True if a ray that comes to a surface after `bounce` events passes through it, at random by its
+/// alpha. A ray that enters and leaves the same primitive hits it twice, so each side has its own
+/// random numbers.
+bool letsPass(SampleId id, uint bounce, Interaction surface, float alpha, vec3 direction) {
+    if (!hasAlpha || !isTransparent(surface.material))
+        return false;
+    uint fromBehind = dot(direction, surface.ng) > 0.0 ? 1u : 0u;
+    return uniformRandomOf(id, bounceDimension(bounce, kDimensionAlpha),
+                           2u * surface.id + fromBehind) >= alpha;
+}
 
 /// The origin of a ray that continues after it passed through the surface.
 vec3 pointBeyond(Interaction surface, vec3 direction) {

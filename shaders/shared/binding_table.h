@@ -22,6 +22,7 @@ BINDING(Camera)      // uniform buffer
 BINDING(Block)       // storage image
 BINDING(Counters)    // storage buffer
 BINDING(FirstHits)   // storage buffer: a FirstHitRecord, in words, for each pixel of the tiles
+BINDING(Features)    // storage buffer: a FeatureRecord, in words, for each pixel of the tiles
 BINDING(ParkedTasks) // storage buffer: a ParkedTask for each task of each lane
 BINDING(Rays)        // storage buffer of ListedRay
 BINDING(ListedHits)  // storage buffer of ListedHit

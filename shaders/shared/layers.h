@@ -14,7 +14,9 @@
 // FIRST_HIT(name, type, nothing, channels, help): from the first surface on the ray through the
 // middle of the pixel. shaders/path/first_hit.glsl and host/reference set the field `name` of a
 // FirstHit. `nothing` is its value in C++ if the pixel shows no surface.
-// AVERAGED(name, type, channels, help): the mean over the samples of the film. No layer is one yet.
+// AVERAGED(name, type, channels, help): from rays through the film's filter and the lens, followed
+//     through mirrors and clear surfaces: shaders/path/features.glsl and host/reference set the
+//     field `name` of Features for one ray; the layer is the mean of many.
 // REPLICAS(name, first, type, channels, help): from the spread of the film's replicas: the fields
 // of
 //     a PixelError from `first` on.
@@ -30,14 +32,24 @@
     FIRST_HIT(position, vec3, 0.0f, "X,Y,Z", "point in the world, metres")                         \
     FIRST_HIT(primitive, uint, 0xFFFFFFFFu, "ID", "number of the primitive, from 0")               \
     FIRST_HIT(uv, vec2, 0.0f, "U,V", "texture coordinates, 0 where a mesh has none")               \
+    AVERAGED(meanAlbedo, vec3, "R,G,B",                                                            \
+             "albedo of the first surface that scatters, as seen in mirrors and through glass")    \
+    AVERAGED(meanNormal, vec3, "X,Y,Z",                                                            \
+             "its shading normal in the world, on the side of the viewer; shorter at edges")       \
+    AVERAGED(meanDepth, float, "Z", "distance of the first surface along the axis, metres")        \
+    AVERAGED(alpha, float, "A", "share of the pixel that shows a surface")                         \
     REPLICAS(error, standardError, vec2, "SE,CI95",                                                \
              "standard error of the luminance, and half of its 95 % interval, W/(m^2 sr)")
 
 /// Only the rows of one kind.
+#define CALOTYPE_NO_FIRST_HIT_ROW(name, type, nothing, channels, help)
 #define CALOTYPE_NO_AVERAGED_ROW(name, type, channels, help)
 #define CALOTYPE_NO_REPLICAS_ROW(name, first, type, channels, help)
 #define CALOTYPE_FIRST_HIT_LAYERS(ROW)                                                             \
     CALOTYPE_LAYERS(ROW, CALOTYPE_NO_AVERAGED_ROW, CALOTYPE_NO_REPLICAS_ROW)
+
+#define CALOTYPE_AVERAGED_LAYERS(ROW)                                                              \
+    CALOTYPE_LAYERS(CALOTYPE_NO_FIRST_HIT_ROW, ROW, CALOTYPE_NO_REPLICAS_ROW)
 
 /// 32-bit components of a type.
 #define CALOTYPE_WORDS_OF_float 1u
@@ -72,10 +84,33 @@ struct FirstHitRecord {
 CALOTYPE_CONSTANT uint kFirstHitWords = 1u CALOTYPE_FIRST_HIT_LAYERS(CALOTYPE_ADD_WORDS);
 #undef CALOTYPE_ADD_WORDS
 
+#ifdef __cplusplus
+#define CALOTYPE_FIELD(name, type, channels, help) type name{0.0f};
+#else
+#define CALOTYPE_FIELD(name, type, channels, help) type name;
+#endif
+
+/// What one ray of a pixel shows, or the mean of many. 0 where it shows nothing.
+struct Features {
+    CALOTYPE_AVERAGED_LAYERS(CALOTYPE_FIELD)
+};
+#undef CALOTYPE_FIELD
+
+/// The result of the feature kernel for a pixel, in kFeatureWords words as above.
+struct FeatureRecord {
+    Features sum;
+    uint isCut; ///< 1 if a limit ended the search at a surface where the ray would go on
+};
+
+#define CALOTYPE_ADD_WORDS(name, type, channels, help) +CALOTYPE_WORDS_OF_##type
+CALOTYPE_CONSTANT uint kFeatureWords = 1u CALOTYPE_AVERAGED_LAYERS(CALOTYPE_ADD_WORDS);
+#undef CALOTYPE_ADD_WORDS
+
 CALOTYPE_END_SHARED
 
 #ifdef __cplusplus
 static_assert(sizeof(calotype::shared::FirstHitRecord) == 4 * calotype::shared::kFirstHitWords);
+static_assert(sizeof(calotype::shared::FeatureRecord) == 4 * calotype::shared::kFeatureWords);
 #endif
 
 #endif

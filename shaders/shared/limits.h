@@ -27,6 +27,9 @@ CALOTYPE_CONSTANT uint kMostNodes = 1u << 24u;
 /// The largest primitive has eight rows at most, and rows are numbered by 31 bits.
 CALOTYPE_CONSTANT uint kMostPrimitives = 1u << 28u;
 
+/// Mirrors and clear surfaces that the search for a pixel's features follows a ray through.
+CALOTYPE_CONSTANT uint kMostSpecularEvents = 8;
+
 /// Scattering events of a path before it may end by roulette, and the throughput below which it
 /// may (docs/models.md, "Russian roulette").
 CALOTYPE_CONSTANT uint kEventsBeforeRoulette = 3;

@@ -41,6 +41,19 @@ FIELD(uint, firstTile, z)
 FIELD(uint, iterationsBeforeCut, w) ///< loop iterations after which a search ends as it is
 END(FirstHitParameters)
 
+// Push constants. A dispatch finds the features that one ray of each pixel of a run of tiles shows.
+STRUCT(FeatureParameters)
+ROW(uvec2, imageSize, xy)    ///< of the whole film, pixels
+FIELD(uvec2, cropOrigin, zw) ///< first pixel of the picture on the film
+ROW(uvec2, cropSize, xy)     ///< of the picture, pixels
+FIELD(uint, firstTile, z)
+FIELD(uint, iterationsBeforeCut, w) ///< loop iterations after which a search ends as it is
+ROW(uint, sampleIndex, x)
+FIELD(uint, seed, y)
+FIELD(uint, infiniteLight, z) ///< the light of rays that hit no surface, or kNone
+FIELD(uint, pad0, w)
+END(FeatureParameters)
+
 #undef STRUCT
 #undef ROW
 #undef FIELD

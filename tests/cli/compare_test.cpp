@@ -163,9 +163,9 @@ TEST_F(CompareTest, RefusesFilesThatAreNoPictures) {
     const std::pair<std::string, std::string> cases[] = {
         {folder_ / "missing.exr", "missing.exr"},
         {folder_.path().string(), "not a regular file"},
-        {text, "EXR, PFM (colour), HDR and PNG are"},
+        {text, "EXR, PFM (colour), HDR and PNG can be compared"},
         {cut, "EXR file cannot be read"},
-        {empty, "EXR, PFM (colour), HDR and PNG are"},
+        {empty, "EXR, PFM (colour), HDR and PNG can be compared"},
         {cutPng, "incomplete"},
     };
     const std::string diff = folder_ / "diff.png";

@@ -65,6 +65,8 @@ const Section& sectionOf(const std::vector<Section>& sections, const std::string
 /// Keys at every depth.
 std::set<std::string> keysOf(const Json& json) {
     std::set<std::string> keys;
+    if (!json.is_structured()) // whose only item would be itself
+        return keys;
     for (const auto& [key, value] : json.items()) {
         if (json.is_object())
             keys.insert(key);

@@ -68,10 +68,10 @@ void expectOrder(const fs::path& root, const FolderOrder& order) {
 
 // The order of the design: a folder includes itself and what stands to its left.
 TEST(FolderOrderTest, HostIncludesOnlyToTheLeft) {
-    const FolderOrder order = {"base",      "math",   "shared",    "image", "settings",
-                               "scene",     "mesh",   "materials", "check", "read",
-                               "accel",     "pack",   "gpu",       "film",  "kernels",
-                               "reference", "render", "engine",    "study", "cli"};
+    const FolderOrder order = {"base",   "math",      "shared",  "image",   "settings",  "scene",
+                               "mesh",   "materials", "check",   "read",    "accel",     "pack",
+                               "gpu",    "film",      "denoise", "kernels", "reference", "render",
+                               "engine", "study",     "cli"};
     expectOrder(kRoot / "host", order);
     EXPECT_GT(filesBelow(kRoot / "host").size(), 50u);
 }
@@ -102,7 +102,7 @@ TEST(FolderOrderTest, IncludesStartAtARootAndAreQuoted) {
     static const std::regex evasive(
         R"re(^\s*#\s*include\s*("\.|"[^"]*/\.\./|<(base|math|image|shared|settings)/))re"
         R"re(|^\s*#\s*include\s*<(scene|mesh|materials|check|read|accel|pack|gpu)/)re"
-        R"re(|^\s*#\s*include\s*<(film|kernels|reference|render|engine|study|cli)/)re");
+        R"re(|^\s*#\s*include\s*<(film|denoise|kernels|reference|render|engine|study|cli)/)re");
     for (const char* folder : {"host", "shaders", "tests"})
         for (const fs::path& file : filesBelow(kRoot / folder))
             for (const std::string& line : linesOf(file))

@@ -76,35 +76,22 @@ TEST(DevelopTest, GivesStagesTheirLayersAndKeepsWhatTheyAdd) {
     EXPECT_EQ(picture.metadata[0].name, "stage");
 }
 
-Film twoReplicas(const std::vector<std::string>& others) {
-    Film film(2, 1, 1.0, others);
+Film twoReplicas() {
+    Film film(2, 1, 1.0);
     constexpr float kWhole = shared::kSamplesPerBlock;
     for (uint32_t block = 0; block < 2; ++block) {
         const float light = 16.0f * static_cast<float>(block + 1);
         const std::vector<glm::vec4> sums(2, {light, light, light, kWhole});
-        film.addBlock(block, sums, {}, std::vector<float>(2 * others.size(), light));
+        film.addBlock(block, sums);
     }
     return film;
 }
 
 TEST(DevelopTest, TakesErrorsFromTheFilm) {
-    const Film film = twoReplicas({});
+    const Film film = twoReplicas();
     const std::vector<Channel> channels = channelsOf(*findLayer("error"), film);
     ASSERT_EQ(channels.size(), 2u);
     EXPECT_EQ(std::get<std::vector<float>>(channels[1].pixels)[1], pixelErrors(film)[1].interval);
-}
-
-TEST(DevelopTest, TakesAveragedLayersFromTheFilmsChannels) {
-    const Layer layer{.name = "mean",
-                      .source = LayerSource::Averaged,
-                      .channels = {"mean.X", "mean.Y"},
-                      .isInteger = false,
-                      .help = "",
-                      .offset = 0};
-    const std::vector<Channel> channels = channelsOf(layer, twoReplicas({"mean.X", "other.X"}));
-    ASSERT_EQ(channels.size(), 1u);
-    EXPECT_EQ(channels[0].name, "mean.X");
-    EXPECT_EQ(std::get<std::vector<float>>(channels[0].pixels), (std::vector<float>{1.5f, 1.5f}));
 }
 
 } // namespace

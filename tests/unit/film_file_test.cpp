@@ -101,41 +101,30 @@ TEST_F(FilmFileTest, KeepsAnEmptyFilm) {
     EXPECT_TRUE(readFilm(path_).film.blocks().empty());
 }
 
-/// The version of the format, and whether the description names channels.
-std::pair<int, bool> formatOf(const std::string& bytes) {
-    return {bytes[8], bytes.find("\"channels\"") != std::string::npos};
-}
+/// The version of the format.
+int versionOf(const std::string& bytes) { return bytes[8]; }
 
-Film filmWithChannels(const std::vector<std::string>& others) {
-    Film film(30, 20, 0.25, others);
-    std::vector<float> sums(film.pixelCount() * others.size());
-    for (size_t i = 0; i < sums.size(); ++i)
-        sums[i] = static_cast<float>(i) / 3.0f;
-    film.addBlock(5, randomBlock(5, film.pixelCount()), {}, sums);
-    return film;
-}
-
-TEST_F(FilmFileTest, KeepsOtherChannels) {
-    const Film film = filmWithChannels({"albedo.R", "depth.Z"});
+TEST_F(FilmFileTest, KeepsTheColorsOfReplicas) {
+    Film film(30, 20, 0.25, ReplicaDetail::Color);
+    for (const uint32_t block : {2u, 7u})
+        film.addBlock(block, randomBlock(block, film.pixelCount()));
     writeFilm(path_, someLabel(), film);
-    EXPECT_EQ(formatOf(readText(path_)), std::pair(2, true));
+    EXPECT_EQ(versionOf(readText(path_)), 2);
     const KeptFilm kept = readFilm(path_);
-    EXPECT_EQ(kept.film.channels(), film.channels());
+    EXPECT_EQ(kept.film.detail(), ReplicaDetail::Color);
     EXPECT_TRUE(kept.film.sums() == film.sums());
-    EXPECT_NE(errorOf([&] {
-                  requireSameOrigin(path_, kept, someLabel(), 30, 20, 0.25);
-              }).find("other channels: R, G, B, albedo.R, depth.Z, not R, G, B"),
+    const auto difference = [&](ReplicaDetail detail) {
+        return errorOf([&] { requireSameOrigin(path_, kept, someLabel(), 30, 20, 0.25, detail); });
+    };
+    EXPECT_EQ(difference(ReplicaDetail::Color), "");
+    EXPECT_NE(difference(ReplicaDetail::Luminance).find("a render for denoising"),
               std::string::npos);
-    EXPECT_EQ(errorOf([&] {
-                  requireSameOrigin(path_, kept, someLabel(), 30, 20, 0.25, film.channels());
-              }),
-              "");
 }
 
 // So that older programs read it.
-TEST_F(FilmFileTest, OfColoursAloneIsOfVersionOne) {
+TEST_F(FilmFileTest, OfLuminancesIsOfVersionOne) {
     writeFilm(path_, someLabel(), filmOf(3, 2, {0}));
-    EXPECT_EQ(formatOf(readText(path_)), std::pair(1, false));
+    EXPECT_EQ(versionOf(readText(path_)), 1);
 }
 
 TEST_F(FilmFileTest, IsTheSameBytesInAnyOrderOfBlocks) {
@@ -219,16 +208,14 @@ TEST_F(FilmFileTest, RefusesDescriptionsThatMakeNoSense) {
     }
 }
 
-TEST_F(FilmFileTest, RefusesChannelsThatMakeNoSense) {
-    writeFilm(path_, someLabel(), filmWithChannels({"depth.Z"}));
-    const std::string from = "\"channels\":[\"R\",\"G\",\"B\",\"depth.Z\"]";
-    for (const char* to :
-         {"\"channels\":[\"R\",\"G\",\"B\"]", "\"channels\":[]", "\"channels\":7",
-          "\"channels\":[\"R\",\"B\",\"G\",\"depth.Z\"]", "\"channels\":[\"R\",\"G\",\"B\",7]",
-          "\"channels\":[\"R\",\"G\",\"B\",\"u\",\"v\"]", "\"c\":[]"}) {
-        const std::string path =
-            folder_.write("odd.film", withDescription(readText(path_), from, to));
-        EXPECT_NE(errorOf([&] { readFilm(path); }).find("makes no sense"), std::string::npos) << to;
+// The version says which sums there are.
+TEST_F(FilmFileTest, RefusesTheSumsOfAnotherVersion) {
+    for (const auto detail : {ReplicaDetail::Luminance, ReplicaDetail::Color}) {
+        writeFilm(path_, someLabel(), Film(3, 2, 0.25, detail));
+        std::string bytes = readText(path_);
+        bytes[8] = detail == ReplicaDetail::Color ? 1 : 2;
+        const std::string path = folder_.write("odd.film", bytes);
+        EXPECT_NE(errorOf([&] { readFilm(path); }).find("makes no sense"), std::string::npos);
     }
 }
 

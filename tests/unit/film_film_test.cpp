@@ -116,7 +116,7 @@ TEST(FilmTest, DoesNotDriftOverAMillionBlocks) {
     for (int i = 0; i < kBlocks; ++i)
         addNext(film, block);
     // 0.1f = 13421773 * 2^-27 and 0.7f = 11744051 * 2^-24; the unit takes 2 of the 64 bits.
-    const FixedPointArray& sums = film.sums().channels;
+    const FixedPointArray& sums = film.sums().colors;
     EXPECT_TRUE(sums[0] == (FixedPoint{13421773} * kBlocks) << (64 - 27 - 2));
     EXPECT_TRUE(sums[1] == -((FixedPoint{11744051} * kBlocks) << (64 - 24 - 2)));
     EXPECT_TRUE(sums[2] == (FixedPoint{3} * kBlocks) << (64 - 2));
@@ -138,7 +138,7 @@ TEST(FilmTest, RoundsBelowItsExactRangeByAtMostHalfAStep) {
     Film film(1, 1, 1.0);
     const float tiny = 0x1.234566p-60f;
     addNext(film, uniformBlock(1, glm::vec3(tiny)));
-    EXPECT_LE(std::abs(fromFixedPoint(film.sums().channels[0]) - tiny), 0x1p-65);
+    EXPECT_LE(std::abs(fromFixedPoint(film.sums().colors[0]) - tiny), 0x1p-65);
 }
 
 TEST(FilmTest, CountsWhatIsNotFiniteAndAddsNothing) {
@@ -177,8 +177,8 @@ TEST(FilmDeathTest, HoldsItsLimitOfTheBrightestBlocksAndNoMore) {
     for (uint64_t i = 0; i < Film::kMaxBlocks; ++i)
         addNext(film, block);
     const FixedPoint expected = FixedPoint{0xffffff} << (16 + 64 + 23);
-    EXPECT_TRUE(film.sums().channels[0] == expected);
-    EXPECT_TRUE(film.sums().channels[1] == -expected);
+    EXPECT_TRUE(film.sums().colors[0] == expected);
+    EXPECT_TRUE(film.sums().colors[1] == -expected);
     EXPECT_DEATH(addNext(film, block), "check failed: sums_.blocks.count");
 }
 
@@ -189,7 +189,7 @@ TEST(FilmTest, TakesTheExtremesOfUnitAndRadiance) {
     addNext(dim, uniformBlock(1, {smallest, largest, 0.0f}));
     addNext(dim, uniformBlock(1, {smallest, 0.0f, 0.0f}));
     EXPECT_EQ(dim.losses().overflowedPixels, 1u);
-    EXPECT_EQ(fromFixedPoint(dim.sums().channels[0]) * dim.unit(), smallest);
+    EXPECT_EQ(fromFixedPoint(dim.sums().colors[0]) * dim.unit(), smallest);
     Film bright(1, 1, 0x1p127);
     addNext(bright, uniformBlock(1, {largest, smallest, 0.0f}));
     EXPECT_EQ(bright.picture().at(0, 0).r, largest / kWhole);
@@ -215,59 +215,38 @@ TEST(FilmTest, ShowsAPartialBlockInThePictureOnly) {
     EXPECT_EQ(film.picture().at(1, 0), glm::vec3(2.0f));
 }
 
-TEST(FilmTest, TakesTheMeansOfItsOtherChannels) {
-    Film film(2, 1, 256.0, {"depth.Z", "uv.U"});
-    EXPECT_EQ(film.channels(), (std::vector<std::string>{"R", "G", "B", "depth.Z", "uv.U"}));
-    EXPECT_EQ(film.mean(3), (std::vector<float>{0, 0}));
-    const float tiny = 0x1p-40f; // below the exact range of the colours, whose unit is 256
-    const Block block = uniformBlock(2, glm::vec3(16.0f, 32.0f, 64.0f));
-    film.addBlock(0, block, {}, std::vector<float>{16, tiny, 1e9f, 0});
-    film.addBlock(1, block, {}, std::vector<float>{-48, tiny, 1e9f, 16});
-    EXPECT_EQ(film.mean(3), (std::vector<float>{-1, 1e9f / 16}));
-    EXPECT_EQ(film.mean(4), (std::vector<float>{tiny / 16, 0.5f}));
-    EXPECT_EQ(film.mean(1), (std::vector<float>{2, 2}));
-    EXPECT_EQ(film.picture().at(1, 0), glm::vec3(1, 2, 4));
-}
-
-TEST(FilmTest, IsTheSameLightWithOtherChannels) {
-    Film plain(2, 1, 1.0);
-    Film film(2, 1, 1.0, {"depth.Z"});
-    const Block block = {{1, 2, 3, kWhole}, {NAN, 2, 3, kWhole}};
-    plain.addBlock(3, block);
-    film.addBlock(3, block, {}, std::vector<float>{kInfinity, 16});
+// The replicas' colours are the film's own, divided among them.
+TEST(FilmTest, KeepsTheColorsOfReplicas) {
+    Film plain(2, 1, 4.0);
+    Film film(2, 1, 4.0, ReplicaDetail::Color);
+    for (const uint32_t block : {0u, 8u, 3u}) {
+        const auto value = static_cast<float>(block + 1);
+        const Block sums = {{16 * value, 32, 0, kWhole}, {NAN, 2, 3, kWhole}};
+        plain.addBlock(block, sums);
+        film.addBlock(block, sums);
+    }
     EXPECT_EQ(film.picture().pixels, plain.picture().pixels);
     EXPECT_TRUE(film.sums().luminances == plain.sums().luminances);
-    EXPECT_EQ(film.losses(), plain.losses());
-    // What is not finite, or out of range, adds nothing.
-    EXPECT_EQ(film.mean(3), (std::vector<float>{0, 1}));
-    film.addBlock(4, block, {}, std::vector<float>{NAN, 0x1p40f});
-    EXPECT_EQ(film.mean(3), (std::vector<float>{0, 0.5f}));
+    EXPECT_EQ(film.replicaPicture(0).pixels,
+              (std::vector<glm::vec3>{{5, 2, 0}, {0, 0, 0}})); // blocks 0 and 8: 1 and 9
+    EXPECT_EQ(film.replicaPicture(3).pixels, (std::vector<glm::vec3>{{4, 2, 0}, {0, 0, 0}}));
+    EXPECT_EQ(film.replicaPicture(5).pixels, (std::vector<glm::vec3>{{0, 0, 0}, {0, 0, 0}}));
+    Film other(2, 1, 4.0, ReplicaDetail::Color);
+    other.addBlock(11, Block{{16, 0, 0, kWhole}, {0, 0, 0, kWhole}});
+    film.add(other);
+    EXPECT_EQ(film.replicaPicture(3).at(0, 0), glm::vec3(2.5, 1, 0));
 }
 
-TEST(FilmTest, JoinsItsOtherChannels) {
-    const Block block = uniformBlock(1, glm::vec3(1.0f));
-    Film whole(1, 1, 1.0, {"depth.Z"});
-    Film first = whole;
-    Film second = whole;
-    for (Film* film : {&whole, &first})
-        film->addBlock(0, block, {}, std::vector<float>{1.0f});
-    for (Film* film : {&whole, &second})
-        film->addBlock(1, block, {}, std::vector<float>{2.0f});
-    second.add(first);
-    EXPECT_TRUE(second.sums() == whole.sums());
-}
-
-TEST(FilmDeathTest, RefusesOtherChannelsThanItsOwn) {
-    Film film(1, 1, 1.0, {"depth.Z"});
-    EXPECT_DEATH(film.addBlock(0, uniformBlock(1, glm::vec3(1.0f))), "check failed: otherSums");
-    EXPECT_DEATH(film.add(Film(1, 1, 1.0)), "check failed: channels_");
+TEST(FilmDeathTest, RefusesAnotherDetailThanItsOwn) {
+    Film film(1, 1, 1.0, ReplicaDetail::Color);
+    EXPECT_DEATH(film.add(Film(1, 1, 1.0)), "check failed: detail");
 }
 
 TEST(FilmDeathTest, RefusesBlocksThatAreNotWhole) {
     Film film(2, 1, 1.0);
     Block block = uniformBlock(2, glm::vec3(1.0f));
     block[1].w = kWhole - 1;
-    EXPECT_DEATH(addNext(film, block), "check failed: blockSums");
+    EXPECT_DEATH(addNext(film, block), "check failed: sum.w");
     EXPECT_DEATH(addNext(film, uniformBlock(1, glm::vec3(1.0f))), "check failed");
     EXPECT_DEATH(film.picture(uniformBlock(1, glm::vec3(1.0f))), "check failed");
     EXPECT_DEATH(Film(2, 1, 3.0), "check failed");

@@ -63,7 +63,9 @@ void expectSame(const FirstHitImage& a, const FirstHitImage& b) {
 }
 
 TEST(LayersTest, AreThoseOfTheTable) {
-    EXPECT_EQ(namesOf(allLayers()), "albedo, normal, depth, position, primitive, uv, error");
+    EXPECT_EQ(namesOf(allLayers()),
+              "albedo, normal, depth, position, primitive, uv, meanAlbedo, meanNormal, "
+              "meanDepth, alpha, error");
     EXPECT_EQ(namesOf(layersOfFilms()), "error");
     EXPECT_EQ(findLayer("position")->channels,
               (std::vector<std::string>{"position.X", "position.Y", "position.Z"}));

@@ -1,0 +1,257 @@
+#include "denoise/cross_validation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "base/check.h"
+#include "film/error_estimate.h"
+#include "math/luminance.h"
+#include "math/square.h"
+
+namespace calotype {
+namespace {
+
+/// A number for each pixel, row by row.
+using Plane = std::vector<double>;
+
+/// The pixels around one whose errors decide how it is blended: 9 x 9.
+constexpr uint32_t kBoxRadius = 4;
+/// A denoiser spreads an error over its neighbours; the errors of tiles of this size, in pixels,
+/// count as independent of each other.
+constexpr uint32_t kTile = 16;
+constexpr double kNormalQuantile95 = 1.645; ///< one-sided
+
+double luminanceOf(const glm::vec3& color) { return luminance(glm::dvec3(color)); }
+
+/// Sums over runs of 2 kBoxRadius + 1 numbers, `stride` apart, less at the ends, over their number.
+void boxMeans(const double* in, double* out, uint32_t count, size_t stride) {
+    double sum = 0.0;
+    uint32_t width = 0;
+    for (uint32_t i = 0; i < std::min(kBoxRadius, count); ++i, ++width)
+        sum += in[i * stride];
+    for (uint32_t i = 0; i < count; ++i) {
+        if (i + kBoxRadius < count) {
+            sum += in[(i + kBoxRadius) * stride];
+            ++width;
+        }
+        if (i > kBoxRadius) {
+            sum -= in[(i - kBoxRadius - 1) * stride];
+            --width;
+        }
+        out[i * stride] = sum / width;
+    }
+}
+
+/// The mean over the box around each pixel, as far as it is in the picture.
+Plane boxMean(const Plane& plane, uint32_t width, uint32_t height) {
+    Plane rows(plane.size());
+    for (uint32_t y = 0; y < height; ++y)
+        boxMeans(&plane[size_t{y} * width], &rows[size_t{y} * width], width, 1);
+    Plane means(plane.size());
+    for (uint32_t x = 0; x < width; ++x)
+        boxMeans(&rows[x], &means[x], height, width);
+    return means;
+}
+
+/// The weight of the samples in a blend with a denoised picture, whose squared errors about a pixel
+/// are `denoised`, while the variance of the samples is `variance`: of all weights the one with the
+/// least squared error, where both errors are independent.
+double weightOfSamples(double denoised, double variance) {
+    const double error = std::max(denoised, 0.0);
+    return variance > 0.0 ? error / (error + variance) : 1.0;
+}
+
+Image blend(const Image& denoised, const Image& samples, const Plane& errors,
+            const Plane& variances) {
+    Image image(samples.width, samples.height);
+    for (size_t i = 0; i < image.pixels.size(); ++i) {
+        const auto weight = static_cast<float>(weightOfSamples(errors[i], variances[i]));
+        image.pixels[i] = denoised.pixels[i] + weight * (samples.pixels[i] - denoised.pixels[i]);
+    }
+    return image;
+}
+
+/// Mean and standard error of a number that every pixel has, from the means of tiles.
+struct TileMean {
+    double mean = 0.0;
+    double standardError = 0.0;
+};
+
+TileMean meanOfTiles(const Plane& plane, uint32_t width, uint32_t height) {
+    Plane sums;
+    Plane sizes;
+    for (uint32_t top = 0; top < height; top += kTile)
+        for (uint32_t left = 0; left < width; left += kTile) {
+            const uint32_t bottom = std::min(top + kTile, height);
+            const uint32_t right = std::min(left + kTile, width);
+            double sum = 0.0;
+            for (uint32_t y = top; y < bottom; ++y)
+                for (uint32_t x = left; x < right; ++x)
+                    sum += plane[size_t{y} * width + x];
+            sums.push_back(sum);
+            sizes.push_back(static_cast<double>((bottom - top) * (right - left)));
+        }
+    TileMean result;
+    for (const double sum : sums)
+        result.mean += sum / static_cast<double>(plane.size());
+    // A ratio estimate: deviations of the tiles' sums from what their sizes let expect.
+    const auto tiles = static_cast<double>(sums.size());
+    double squares = 0.0;
+    for (size_t i = 0; i < sums.size(); ++i)
+        squares += square(sums[i] - result.mean * sizes[i]);
+    if (tiles > 1.0)
+        result.standardError =
+            std::sqrt(squares * tiles / (tiles - 1.0)) / static_cast<double>(plane.size());
+    return result;
+}
+
+/// The replicas, and what one or all of them give without the denoiser.
+class Replicas {
+public:
+    explicit Replicas(std::span<const ReplicaPicture> replicas) : replicas_(replicas) {
+        CALOTYPE_CHECK_LE(kLeastReplicas, replicas.size());
+        for (const ReplicaPicture& replica : replicas) {
+            CALOTYPE_CHECK_LT(0.0, replica.samples);
+            CALOTYPE_CHECK_EQ(replica.mean.width, width());
+            CALOTYPE_CHECK_EQ(replica.mean.height, height());
+            samples_ += replica.samples;
+        }
+    }
+
+    size_t count() const { return replicas_.size(); }
+    uint32_t width() const { return replicas_.front().mean.width; }
+    uint32_t height() const { return replicas_.front().mean.height; }
+    const ReplicaPicture& operator[](size_t i) const { return replicas_[i]; }
+    double samples() const { return samples_; }
+
+    /// The mean of all replicas but one; of all, if `left` is count().
+    Image meanWithout(size_t left) const {
+        Image image(width(), height());
+        const double all = samplesWithout(left);
+        for (size_t pixel = 0; pixel < image.pixels.size(); ++pixel) {
+            glm::dvec3 sum(0.0);
+            for (size_t i = 0; i < count(); ++i)
+                if (i != left)
+                    sum += replicas_[i].samples * glm::dvec3(replicas_[i].mean.pixels[pixel]);
+            image.pixels[pixel] = glm::vec3(sum / all);
+        }
+        return image;
+    }
+
+    double samplesWithout(size_t left) const {
+        return samples_ - (left < count() ? replicas_[left].samples : 0.0);
+    }
+
+    /// The variance of the luminance of one sample, from the spread of all replicas but one.
+    Plane varianceWithout(size_t left) const {
+        const size_t others = count() - (left < count() ? 1 : 0);
+        Plane variances(replicas_.front().mean.pixels.size());
+        for (size_t pixel = 0; pixel < variances.size(); ++pixel) {
+            double sum = 0.0;
+            double squares = 0.0;
+            for (size_t i = 0; i < count(); ++i)
+                if (i != left) {
+                    const double value = luminanceOf(replicas_[i].mean.pixels[pixel]);
+                    sum += replicas_[i].samples * value;
+                    squares += replicas_[i].samples * square(value);
+                }
+            const double spread = squares - square(sum) / samplesWithout(left);
+            variances[pixel] = std::max(spread, 0.0) / static_cast<double>(others - 1);
+        }
+        return variances;
+    }
+
+private:
+    std::span<const ReplicaPicture> replicas_;
+    double samples_ = 0.0;
+};
+
+/// One denoised picture and its error.
+class CrossValidation {
+public:
+    CrossValidation(std::span<const ReplicaPicture> replicas, Denoiser& denoiser)
+        : replicas_(replicas), denoiser_(denoiser), pixels_(replicas.front().mean.pixels.size()),
+          errorSums_(pixels_) {
+        // That replica's squared distance from the result is, less its own variance, an unbiased
+        // estimate of the result's squared error.
+        for (size_t i = 0; i < replicas_.count(); ++i) {
+            denoised_.push_back(denoiser_.run(replicas_.meanWithout(i)));
+            sampleVariances_.push_back(replicas_.varianceWithout(i));
+            errors_.push_back(squaredErrors(denoised_[i], i));
+            for (size_t pixel = 0; pixel < pixels_; ++pixel)
+                errorSums_[pixel] += errors_[i][pixel];
+        }
+    }
+
+    DenoisedPicture run() const {
+        const size_t none = replicas_.count();
+        Image color = blended(denoiser_.run(replicas_.meanWithout(none)), none);
+        const DenoisedError error = errorOf(color);
+        return {std::move(color), error};
+    }
+
+private:
+    /// Estimates of a picture's squared errors by a replica that had no part in it.
+    Plane squaredErrors(const Image& picture, size_t judge) const {
+        const ReplicaPicture& replica = replicas_[judge];
+        Plane squares(pixels_);
+        for (size_t i = 0; i < pixels_; ++i)
+            squares[i] =
+                square(luminanceOf(picture.pixels[i]) - luminanceOf(replica.mean.pixels[i])) -
+                sampleVariances_[judge][i] / replica.samples;
+        return squares;
+    }
+
+    /// Blends the denoised mean of all replicas but one with that mean. The one that is left out
+    /// will judge the blend, so it must not choose the weights.
+    Image blended(const Image& denoised, size_t left) const {
+        const bool isJudged = left < replicas_.count();
+        const auto judges = static_cast<double>(replicas_.count() - (isJudged ? 1 : 0));
+        Plane errors = errorSums_;
+        Plane variances = replicas_.varianceWithout(left);
+        for (size_t i = 0; i < pixels_; ++i) {
+            errors[i] = (errors[i] - (isJudged ? errors_[left][i] : 0.0)) / judges;
+            variances[i] /= replicas_.samplesWithout(left);
+        }
+        const uint32_t width = replicas_.width();
+        const uint32_t height = replicas_.height();
+        return blend(denoised, replicas_.meanWithout(left), boxMean(errors, width, height),
+                     boxMean(variances, width, height));
+    }
+
+    /// The error of the picture: that of the same steps without each replica, as it judges them.
+    DenoisedError errorOf(const Image& color) const {
+        double meanLuminance = 0.0;
+        for (const glm::vec3& pixel : color.pixels)
+            meanLuminance += luminanceOf(pixel) / static_cast<double>(pixels_);
+        const double floor = square(0.01 * meanLuminance);
+        Plane shares(pixels_);
+        for (size_t judge = 0; judge < replicas_.count(); ++judge) {
+            const Plane squares = squaredErrors(blended(denoised_[judge], judge), judge);
+            for (size_t i = 0; i < pixels_; ++i)
+                shares[i] += squares[i] / (square(luminanceOf(color.pixels[i])) + floor) /
+                             static_cast<double>(replicas_.count());
+        }
+        const TileMean share = meanOfTiles(shares, color.width, color.height);
+        const double most = share.mean + kNormalQuantile95 * share.standardError;
+        return {relativeError(std::max(share.mean, 0.0)), relativeError(std::max(most, 0.0))};
+    }
+
+    Replicas replicas_;
+    Denoiser& denoiser_;
+    size_t pixels_;
+    std::vector<Image> denoised_;        ///< for each replica: the mean of the others, denoised
+    std::vector<Plane> sampleVariances_; ///< of one sample, from the others
+    std::vector<Plane> errors_;          ///< squaredErrors of `denoised_`
+    Plane errorSums_;                    ///< sums of `errors_` over the replicas
+};
+
+} // namespace
+
+DenoisedPicture denoise(std::span<const ReplicaPicture> replicas, Denoiser& denoiser) {
+    return CrossValidation(replicas, denoiser).run();
+}
+
+} // namespace calotype

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "denoise/denoised_error.h"
+#include "denoise/denoiser.h"
+#include "image/image.h"
+
+namespace calotype {
+
+/// One of several pictures of the same scene and camera, from independent samples.
+struct ReplicaPicture {
+    Image mean;           ///< radiance, W/(m^2 sr)
+    double samples = 0.0; ///< per pixel, > 0
+};
+
+struct DenoisedPicture {
+    Image color;
+    DenoisedError error;
+};
+
+/// The number of replicas that denoise needs: the variance of a replica is taken from at least two
+/// others.
+inline constexpr size_t kLeastReplicas = 3;
+
+/// Denoises the mean of the replicas, and states its error by cross-validation (docs/models.md,
+/// "Denoising"): each replica judges a picture that was denoised without it. Where the samples are
+/// better than the denoiser, they have the greater weight, so that more samples end at the truth.
+/// Runs the denoiser once, and once for each replica.
+DenoisedPicture denoise(std::span<const ReplicaPicture> replicas, Denoiser& denoiser);
+
+} // namespace calotype

@@ -1,0 +1,12 @@
+#pragma once
+
+namespace calotype {
+
+/// The distance of a denoised picture from its limit with infinitely many samples, in the measure
+/// of ErrorEstimate::relative.
+struct DenoisedError {
+    double relative = 0.0;
+    double bound = 0.0; ///< `relative` is below it with a probability of 95 %
+};
+
+} // namespace calotype

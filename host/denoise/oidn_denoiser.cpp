@@ -1,0 +1,97 @@
+#include "denoise/oidn_denoiser.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/check.h"
+#include "base/error.h"
+#include "math/luminance.h"
+
+namespace calotype {
+namespace {
+
+constexpr double kMiddleGrey = 0.18;
+constexpr uint32_t kBlock = 16; ///< pixels
+constexpr double kAlmostBlack = 1e-8;
+
+double meanLuminanceOfBlock(const Image& picture, uint32_t left, uint32_t top) {
+    const uint32_t right = std::min(left + kBlock, picture.width);
+    const uint32_t bottom = std::min(top + kBlock, picture.height);
+    double sum = 0.0;
+    for (uint32_t y = top; y < bottom; ++y)
+        for (uint32_t x = left; x < right; ++x)
+            sum += luminance(glm::dvec3(picture.at(x, y)));
+    return sum / static_cast<double>((right - left) * (bottom - top));
+}
+
+} // namespace
+
+float exposureFor(const Image& picture) {
+    double logarithms = 0.0;
+    uint32_t blocks = 0;
+    for (uint32_t top = 0; top < picture.height; top += kBlock)
+        for (uint32_t left = 0; left < picture.width; left += kBlock)
+            if (const double mean = meanLuminanceOfBlock(picture, left, top); mean > kAlmostBlack) {
+                logarithms += std::log(mean);
+                ++blocks;
+            }
+    return blocks > 0 ? static_cast<float>(kMiddleGrey / std::exp(logarithms / blocks)) : 1.0f;
+}
+
+OidnDenoiser::OidnDenoiser(const OidnLibrary& library, DenoiserFeatures features,
+                           const Image& typical, uint32_t threads)
+    : library_(library), features_(std::move(features)), color_(typical.width, typical.height),
+      output_(typical.width, typical.height) {
+    for (const Image* feature : {&features_.albedo, &features_.normal}) {
+        CALOTYPE_CHECK_EQ(feature->width, typical.width);
+        CALOTYPE_CHECK_EQ(feature->height, typical.height);
+    }
+    device_ = {library_.newDevice(OidnLibrary::kCpuDevice), library_.releaseDevice};
+    if (!device_)
+        throw Error("Open Image Denoise has no device for this CPU");
+    if (threads > 0)
+        library_.setDeviceInt(device_.get(), "numThreads", static_cast<int>(threads));
+    library_.commitDevice(device_.get());
+    throwIfFailed();
+    const auto number = [&](const char* part) {
+        return std::to_string(library_.getDeviceInt(device_.get(), part));
+    };
+    name_ = "Open Image Denoise " + number("versionMajor") + "." + number("versionMinor") + "." +
+            number("versionPatch");
+    filter_ = {library_.newFilter(device_.get(), "RT"), library_.releaseFilter};
+    throwIfFailed();
+    setImage("color", color_);
+    setImage("albedo", features_.albedo);
+    setImage("normal", features_.normal);
+    setImage("output", output_);
+    library_.setFilterBool(filter_.get(), "hdr", true);
+    library_.setFilterBool(filter_.get(), "cleanAux", true);
+    library_.setFilterInt(filter_.get(), "quality", OidnLibrary::kHighQuality);
+    library_.setFilterFloat(filter_.get(), "inputScale", exposureFor(typical));
+    library_.commitFilter(filter_.get());
+    throwIfFailed();
+}
+
+/// The library reads and writes the pixels in place.
+void OidnDenoiser::setImage(const char* name, const Image& image) {
+    library_.setSharedFilterImage(filter_.get(), name, const_cast<glm::vec3*>(image.pixels.data()),
+                                  OidnLibrary::kFloat3, image.width, image.height, 0, 0, 0);
+}
+
+Image OidnDenoiser::run(const Image& color) {
+    CALOTYPE_CHECK_EQ(color.width, color_.width);
+    CALOTYPE_CHECK_EQ(color.height, color_.height);
+    std::ranges::copy(color.pixels, color_.pixels.begin());
+    library_.executeFilter(filter_.get());
+    throwIfFailed();
+    return output_;
+}
+
+void OidnDenoiser::throwIfFailed() const {
+    const char* message = nullptr;
+    if (library_.getDeviceError(device_.get(), &message) != OidnLibrary::kNoError)
+        throw Error("Open Image Denoise failed: " + std::string(message ? message : "no reason"));
+}
+
+} // namespace calotype

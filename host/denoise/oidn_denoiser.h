@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "denoise/denoiser.h"
+#include "denoise/oidn_library.h"
+
+namespace calotype {
+
+/// Open Image Denoise on the CPU, so that equal pictures give equal bits on one machine.
+class OidnDenoiser : public Denoiser {
+public:
+    /// `typical` is a picture of the scene: its brightness scales all pictures alike, where the
+    /// library would scale each by its own. `threads` 0: all cores. The library must outlive this
+    /// object. Throws Error if its device or filter cannot be made.
+    OidnDenoiser(const OidnLibrary& library, DenoiserFeatures features, const Image& typical,
+                 uint32_t threads);
+
+    Image run(const Image& color) override;
+
+    /// "Open Image Denoise 2.5.1".
+    const std::string& name() const { return name_; }
+
+private:
+    void throwIfFailed() const;
+    void setImage(const char* name, const Image& image);
+
+    const OidnLibrary& library_;
+    DenoiserFeatures features_;
+    Image color_;
+    Image output_;
+    std::unique_ptr<OidnLibrary::Device, void (*)(OidnLibrary::Device*)> device_{nullptr, nullptr};
+    std::unique_ptr<OidnLibrary::Filter, void (*)(OidnLibrary::Filter*)> filter_{nullptr, nullptr};
+    std::string name_;
+};
+
+/// The factor by which radiance is multiplied before it is denoised: 0.18 over the geometric mean
+/// of the luminance of blocks of 16 x 16 pixels; blocks that are almost black do not count. 1 if
+/// all are.
+float exposureFor(const Image& picture);
+
+} // namespace calotype

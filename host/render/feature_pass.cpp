@@ -1,0 +1,51 @@
+#include "render/feature_pass.h"
+
+#include "kernels/features.spv.h"
+#include "render/loop_budget.h"
+#include "render/specialization.h"
+#include "shared/bindings.h"
+
+namespace calotype {
+namespace {
+
+shared::FeatureParameters parametersFor(const Device& device, const GpuScene& scene,
+                                        const RenderSettings& settings) {
+    auto parameters = passParameters<shared::FeatureParameters>(settings.width, settings.height,
+                                                                settings.crop, loopBudget(device));
+    parameters.seed = featureSeed(settings.seed);
+    parameters.infiniteLight = scene.infiniteLight;
+    return parameters;
+}
+
+} // namespace
+
+FeaturePass::FeaturePass(const Device& device, const GpuScene& scene, const SceneBuffers& buffers,
+                         const SceneFeatures& features, const RenderSettings& settings)
+    : parameters_(parametersFor(device, scene, settings)),
+      pass_(device, scene, buffers, settings.crop,
+            {"features", kFeaturesSpirv, shared::kBindingFeatures,
+             specialization(device, features, {}, settings.sampler, settings.transport)}) {}
+
+FeatureImage FeaturePass::run(uint32_t rays, const std::function<void(double)>& onProgress) {
+    FeatureImage image(parameters_.cropSize.x, parameters_.cropSize.y);
+    const auto take = [&](uint32_t x, uint32_t y, const shared::FeatureRecord& record) {
+        add(record.sum, image.at(x, y));
+    };
+    for (uint32_t ray = 0; ray < rays; ++ray) {
+        parameters_.sampleIndex = ray;
+        const auto onPart = [&](double done) {
+            if (onProgress)
+                onProgress((ray + done) / rays);
+        };
+        pass_.run(parameters_, take, onPart);
+    }
+    for (Features& pixel : image.pixels)
+        pixel = meanFeatures(pixel, rays);
+    return image;
+}
+
+uint64_t featurePassBytes(const RenderSettings& settings) {
+    return RecordPass<shared::FeatureRecord, shared::FeatureParameters>::deviceBytes(settings.crop);
+}
+
+} // namespace calotype

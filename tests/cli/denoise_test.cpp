@@ -1,0 +1,107 @@
+// calotype render --denoise.
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/cli_test.h"
+#include "image/exr.h"
+#include "support/paths.h"
+#include "support/test_denoiser.h"
+
+namespace calotype::test {
+namespace {
+
+class DenoiseTest : public CliTest {
+protected:
+    ProgramResult render(const std::vector<std::string>& more, const ProgramOptions& options = {}) {
+        std::vector<std::string> arguments = {"render", scene_, "--denoise", "oidn"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return runProgram(arguments, options);
+    }
+
+    nlohmann::json statistics() const { return nlohmann::json::parse(readText(stats_)); }
+
+    std::string picture_ = folder_ / "a.exr";
+    std::string stats_ = folder_ / "stats.json";
+};
+
+TEST_F(DenoiseTest, SaysHowToGetTheLibraryBeforeItRenders) {
+    ProgramOptions options;
+    options.environment["CALOTYPE_OIDN"] = "/nowhere";
+    const ProgramResult result = render({"-o", picture_, "--spp", "1000000"}, options);
+    expectFailure(result, 2, "pip install pyoidn");
+    EXPECT_EQ(folder_.names(), (std::vector<std::string>{"scene.json"}));
+}
+
+/// Tests of the denoised picture are skipped where the library is not installed.
+class DenoisedPictureTest : public DenoiseTest {
+protected:
+    void SetUp() override {
+        if (!testDenoiser())
+            GTEST_SKIP() << "Open Image Denoise is not installed";
+    }
+};
+
+TEST_F(DenoisedPictureTest, StatesItsErrorAndKeepsTheSamples) {
+    scene_ = std::string(kProjectFolder) + "/scenes/cornell-box.json"; // whose error is trusted
+    const ProgramResult result =
+        render({"-o", picture_, "--spp", "128", "--stats", stats_, "--size", "48x48"});
+    ASSERT_EQ(result.exitCode, 0) << result.errors;
+    const auto json = statistics();
+    EXPECT_GT(json["denoised_error"], 0.0);
+    EXPECT_LT(json["denoised_error"], json["error"]["relative"]);
+    EXPECT_LT(json["denoised_error"], json["denoised_bound"]);
+    EXPECT_EQ(json["denoise"], "oidn");
+    EXPECT_NE(result.errors.find(", after denoising "), std::string::npos) << result.errors;
+
+    // The layer of the samples is the picture without denoising.
+    const Picture picture = readExrPicture(picture_);
+    const ProgramResult plain =
+        runProgram({"render", scene_, "-o", folder_ / "b.exr", "--spp", "128", "--size", "48x48"});
+    ASSERT_EQ(plain.exitCode, 0) << plain.errors;
+    const Image noisy = readExr(folder_ / "b.exr");
+    ASSERT_EQ(picture.channels.size(), 3u);
+    for (size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(picture.channels[i].name, std::string("noisy.") + "BGR"[i]);
+        std::vector<float> values;
+        for (const glm::vec3& pixel : noisy.pixels)
+            values.push_back(pixel[2 - static_cast<int>(i)]);
+        EXPECT_EQ(std::get<std::vector<float>>(picture.channels[i].pixels), values);
+    }
+    EXPECT_NE(picture.color.pixels, noisy.pixels);
+}
+
+TEST_F(DenoisedPictureTest, IsTheSameBytesAgain) {
+    ASSERT_EQ(render({"-o", picture_, "--spp", "48"}).exitCode, 0);
+    ASSERT_EQ(render({"-o", folder_ / "b.exr", "--spp", "48"}).exitCode, 0);
+    EXPECT_TRUE(readText(picture_) == readText(folder_ / "b.exr"));
+}
+
+TEST_F(DenoisedPictureTest, StatesNothingOfTooFewSamples) {
+    for (const char* samples : {"5", "16", "64"}) {
+        const ProgramResult result = render({"-o", picture_, "--spp", samples, "--stats", stats_});
+        ASSERT_EQ(result.exitCode, 0) << result.errors;
+        EXPECT_TRUE(statistics()["denoised_error"].is_null()) << samples;
+        EXPECT_NE(result.errors.find("denoised (too few samples to tell"), std::string::npos)
+            << result.errors;
+    }
+}
+
+TEST_F(DenoisedPictureTest, NeedsAFilmThatWasMadeForIt) {
+    const std::string film = folder_ / "a.film";
+    ASSERT_EQ(runProgram({"render", scene_, "--film", film, "--spp", "16"}).exitCode, 0);
+    expectFailure(render({"--film", film, "--spp", "32"}), 3, "without --denoise");
+    ASSERT_EQ(render({"--film", film, "--spp", "16", "--overwrite"}).exitCode, 0);
+    // It can be continued with and without.
+    ASSERT_EQ(runProgram({"render", scene_, "--film", film, "--spp", "32"}).exitCode, 0);
+    EXPECT_EQ(render({"--film", film, "--spp", "48", "-o", picture_}).exitCode, 0);
+}
+
+TEST_F(DenoisedPictureTest, DoesNotGoWithAdaptiveSampling) {
+    expectFailure(render({"-o", picture_, "--adaptive"}), 2, "--adaptive");
+}
+
+} // namespace
+} // namespace calotype::test

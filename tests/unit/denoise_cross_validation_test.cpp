@@ -1,0 +1,152 @@
+#include "denoise/cross_validation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "film/error_estimate.h"
+#include "math/luminance.h"
+#include "math/square.h"
+
+namespace calotype {
+namespace {
+
+constexpr uint32_t kWidth = 64;
+constexpr uint32_t kHeight = 48;
+constexpr size_t kReplicaCount = 8;
+
+/// Mean over 5 x 5 pixels: little noise, and a bias at edges.
+class Blur : public Denoiser {
+public:
+    Image run(const Image& color) override {
+        Image image(color.width, color.height);
+        for (int y = 0; y < int(color.height); ++y)
+            for (int x = 0; x < int(color.width); ++x) {
+                glm::vec3 sum(0.0f);
+                float count = 0.0f;
+                for (int v = std::max(y - 2, 0); v < std::min(y + 3, int(color.height)); ++v)
+                    for (int u = std::max(x - 2, 0); u < std::min(x + 3, int(color.width)); ++u) {
+                        sum += color.at(u, v);
+                        ++count;
+                    }
+                image.at(x, y) = sum / count;
+            }
+        return image;
+    }
+};
+
+class Identity : public Denoiser {
+public:
+    Image run(const Image& color) override { return color; }
+};
+
+/// A bright square on a slope.
+Image truth() {
+    Image image(kWidth, kHeight);
+    for (uint32_t y = 0; y < kHeight; ++y)
+        for (uint32_t x = 0; x < kWidth; ++x) {
+            const bool isInside = x >= 20 && x < 41 && y >= 11 && y < 33;
+            image.at(x, y) = glm::vec3((isInside ? 3.0f : 0.5f) + 0.01f * float(x));
+        }
+    return image;
+}
+
+/// Replicas whose samples have this standard deviation in every pixel.
+std::vector<ReplicaPicture> noisyReplicas(double deviation, double samples, uint32_t seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<float> noise(0.0f, float(deviation / std::sqrt(samples)));
+    std::vector<ReplicaPicture> replicas(kReplicaCount, {truth(), samples});
+    for (ReplicaPicture& replica : replicas)
+        for (glm::vec3& pixel : replica.mean.pixels)
+            pixel += glm::vec3(noise(random));
+    return replicas;
+}
+
+/// The measure of ErrorEstimate::relative, against the truth.
+double trueError(const Image& image) {
+    const Image exact = truth();
+    double mean = 0.0;
+    for (const glm::vec3& pixel : exact.pixels)
+        mean += luminance(glm::dvec3(pixel)) / double(exact.pixels.size());
+    double sum = 0.0;
+    for (size_t i = 0; i < image.pixels.size(); ++i) {
+        const double value = luminance(glm::dvec3(exact.pixels[i]));
+        const double error = luminance(glm::dvec3(image.pixels[i])) - value;
+        sum += relativeShare(square(error), value, mean);
+    }
+    return relativeError(sum / double(image.pixels.size()));
+}
+
+Image meanOf(const std::vector<ReplicaPicture>& replicas) {
+    Image mean(kWidth, kHeight);
+    for (const ReplicaPicture& replica : replicas)
+        for (size_t i = 0; i < mean.pixels.size(); ++i)
+            mean.pixels[i] += replica.mean.pixels[i] / float(replicas.size());
+    return mean;
+}
+
+/// Over many pictures: root mean squares of the stated and the true error, and the share of
+/// pictures whose error is below the bound.
+struct Honesty {
+    double stated = 0.0;
+    double actual = 0.0;
+    double kept = 0.0;
+};
+
+Honesty honestyOf(Denoiser& denoiser, double deviation, double samples) {
+    constexpr uint32_t kPictures = 60;
+    Honesty honesty;
+    for (uint32_t seed = 1; seed <= kPictures; ++seed) {
+        const auto picture = denoise(noisyReplicas(deviation, samples, seed), denoiser);
+        const double error = trueError(picture.color);
+        honesty.stated += square(picture.error.relative) / kPictures;
+        honesty.actual += square(error) / kPictures;
+        honesty.kept += (error <= picture.error.bound ? 1.0 : 0.0) / kPictures;
+    }
+    honesty.stated = std::sqrt(honesty.stated);
+    honesty.actual = std::sqrt(honesty.actual);
+    return honesty;
+}
+
+// An eighth of the samples judges, so the stated error is that of seven eighths: up to
+// sqrt(8 / 7) = 1.07 too large.
+TEST(CrossValidationTest, StatesTheTrueError) {
+    Blur blur;
+    Identity identity;
+    // Noise of a pixel: 4 % to 18 % of the darkest luminance before the blur, at most 7 % without.
+    const std::vector<std::pair<Denoiser*, double>> cases = {
+        {&blur, 0.1}, {&blur, 0.5}, {&blur, 1.0}, {&identity, 0.1}, {&identity, 0.2}};
+    for (const auto& [denoiser, deviation] : cases) {
+        const Honesty honesty = honestyOf(*denoiser, deviation, 4.0);
+        EXPECT_GT(honesty.stated / honesty.actual, 0.98) << deviation;
+        EXPECT_LT(honesty.stated / honesty.actual, 1.09) << deviation;
+        EXPECT_GE(honesty.kept, 0.9) << deviation;
+    }
+}
+
+// The better of the two, or better than both.
+TEST(CrossValidationTest, IsNeverWorseThanSamplesOrDenoiser) {
+    Blur blur;
+    for (const double deviation : {0.01, 0.1, 0.5, 2.0, 8.0})
+        for (uint32_t seed = 1; seed <= 5; ++seed) {
+            const auto replicas = noisyReplicas(deviation, 16.0, seed);
+            const double blended = trueError(denoise(replicas, blur).color);
+            const double noisy = trueError(meanOf(replicas));
+            const double denoised = trueError(blur.run(meanOf(replicas)));
+            EXPECT_LE(blended, 1.05 * std::min(noisy, denoised))
+                << deviation << ": samples " << noisy << ", denoiser " << denoised;
+        }
+}
+
+TEST(CrossValidationTest, KeepsSamplesWithoutNoise) {
+    Blur blur;
+    const DenoisedPicture picture = denoise(noisyReplicas(0.0, 16.0, 1), blur);
+    EXPECT_LT(trueError(picture.color), 1e-6);
+    EXPECT_LT(picture.error.relative, 1e-3);
+}
+
+} // namespace
+} // namespace calotype
