@@ -78,9 +78,11 @@ OutputClaims checkOutputs(const MergeOptions& options) {
                              "picture (" +
                              std::string(kImageExtensions) + ")");
     requireExrFor(options.layers, options.outputs);
-    if (hasSource(options.layers, LayerSource::FirstHit))
-        throw UsageError("films hold no first hits; of the layers of --aov, merge writes " +
-                         namesOf(layersOfFilms()));
+    if (hasSource(options.layers, LayerSource::FirstHit) ||
+        hasSource(options.layers, LayerSource::Averaged))
+        throw UsageError(
+            "films hold samples of light alone; of the layers of --aov, merge writes " +
+            namesOf(layersOfFilms()));
     for (const Stage* stage : options.stages)
         if (hasSource(neededLayers({}, {stage}), LayerSource::FirstHit))
             throw UsageError(

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <functional>
 #include <system_error>
 #include <vector>
 
@@ -20,14 +19,14 @@ fs::path pathIn(const char* variable) {
     return value ? value : "";
 }
 
-/// The folders "python3*" in a folder, the newest Python first.
+/// The folders "python3*" in a folder.
 std::vector<fs::path> pythonsIn(const fs::path& folder) {
     std::vector<fs::path> found;
     std::error_code ignored;
     for (const auto& entry : fs::directory_iterator(folder, ignored))
         if (entry.path().filename().string().starts_with("python3"))
             found.push_back(entry.path());
-    std::ranges::sort(found, std::greater());
+    std::ranges::sort(found);
     return found;
 }
 

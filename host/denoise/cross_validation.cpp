@@ -22,25 +22,20 @@ constexpr uint32_t kBoxRadius = 4;
 /// count as independent of each other.
 constexpr uint32_t kTile = 16;
 constexpr double kNormalQuantile95 = 1.645; ///< one-sided
+constexpr size_t kLeastTiles = 8;           ///< for a bound
 
 double luminanceOf(const glm::vec3& color) { return luminance(glm::dvec3(color)); }
 
-/// Sums over runs of 2 kBoxRadius + 1 numbers, `stride` apart, less at the ends, over their number.
+/// Means of the numbers at most kBoxRadius places away, `stride` apart, less at the ends. Each sum
+/// is made anew: what a running sum loses to one huge number would stay in it.
 void boxMeans(const double* in, double* out, uint32_t count, size_t stride) {
-    double sum = 0.0;
-    uint32_t width = 0;
-    for (uint32_t i = 0; i < std::min(kBoxRadius, count); ++i, ++width)
-        sum += in[i * stride];
     for (uint32_t i = 0; i < count; ++i) {
-        if (i + kBoxRadius < count) {
-            sum += in[(i + kBoxRadius) * stride];
-            ++width;
-        }
-        if (i > kBoxRadius) {
-            sum -= in[(i - kBoxRadius - 1) * stride];
-            --width;
-        }
-        out[i * stride] = sum / width;
+        const uint32_t first = i - std::min(i, kBoxRadius);
+        const uint32_t end = std::min(i + kBoxRadius + 1, count);
+        double sum = 0.0;
+        for (uint32_t k = first; k < end; ++k)
+            sum += in[k * stride];
+        out[i * stride] = sum / (end - first);
     }
 }
 
@@ -77,6 +72,7 @@ Image blend(const Image& denoised, const Image& samples, const Plane& errors,
 struct TileMean {
     double mean = 0.0;
     double standardError = 0.0;
+    size_t tiles = 0;
 };
 
 TileMean meanOfTiles(const Plane& plane, uint32_t width, uint32_t height) {
@@ -96,6 +92,7 @@ TileMean meanOfTiles(const Plane& plane, uint32_t width, uint32_t height) {
     TileMean result;
     for (const double sum : sums)
         result.mean += sum / static_cast<double>(plane.size());
+    result.tiles = sums.size();
     // A ratio estimate: deviations of the tiles' sums from what their sizes let expect.
     const auto tiles = static_cast<double>(sums.size());
     double squares = 0.0;
@@ -174,8 +171,6 @@ public:
     CrossValidation(std::span<const ReplicaPicture> replicas, Denoiser& denoiser)
         : replicas_(replicas), denoiser_(denoiser), pixels_(replicas.front().mean.pixels.size()),
           errorSums_(pixels_) {
-        // That replica's squared distance from the result is, less its own variance, an unbiased
-        // estimate of the result's squared error.
         for (size_t i = 0; i < replicas_.count(); ++i) {
             denoised_.push_back(denoiser_.run(replicas_.meanWithout(i)));
             sampleVariances_.push_back(replicas_.varianceWithout(i));
@@ -188,12 +183,13 @@ public:
     DenoisedPicture run() const {
         const size_t none = replicas_.count();
         Image color = blended(denoiser_.run(replicas_.meanWithout(none)), none);
-        const DenoisedError error = errorOf(color);
+        const std::optional<DenoisedError> error = errorOf(color);
         return {std::move(color), error};
     }
 
 private:
-    /// Estimates of a picture's squared errors by a replica that had no part in it.
+    /// Unbiased estimates of a picture's squared errors by a replica that had no part in it: the
+    /// squared distances from that replica, less its own variance.
     Plane squaredErrors(const Image& picture, size_t judge) const {
         const ReplicaPicture& replica = replicas_[judge];
         Plane squares(pixels_);
@@ -210,7 +206,7 @@ private:
         const bool isJudged = left < replicas_.count();
         const auto judges = static_cast<double>(replicas_.count() - (isJudged ? 1 : 0));
         Plane errors = errorSums_;
-        Plane variances = replicas_.varianceWithout(left);
+        Plane variances = isJudged ? sampleVariances_[left] : replicas_.varianceWithout(left);
         for (size_t i = 0; i < pixels_; ++i) {
             errors[i] = (errors[i] - (isJudged ? errors_[left][i] : 0.0)) / judges;
             variances[i] /= replicas_.samplesWithout(left);
@@ -222,7 +218,7 @@ private:
     }
 
     /// The error of the picture: that of the same steps without each replica, as it judges them.
-    DenoisedError errorOf(const Image& color) const {
+    std::optional<DenoisedError> errorOf(const Image& color) const {
         double meanLuminance = 0.0;
         for (const glm::vec3& pixel : color.pixels)
             meanLuminance += luminanceOf(pixel) / static_cast<double>(pixels_);
@@ -235,8 +231,11 @@ private:
                              static_cast<double>(replicas_.count());
         }
         const TileMean share = meanOfTiles(shares, color.width, color.height);
+        if (share.tiles < kLeastTiles)
+            return std::nullopt;
         const double most = share.mean + kNormalQuantile95 * share.standardError;
-        return {relativeError(std::max(share.mean, 0.0)), relativeError(std::max(most, 0.0))};
+        return DenoisedError{relativeError(std::max(share.mean, 0.0)),
+                             relativeError(std::max(most, 0.0))};
     }
 
     Replicas replicas_;

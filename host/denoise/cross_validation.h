@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "denoise/denoised_error.h"
@@ -17,7 +18,7 @@ struct ReplicaPicture {
 
 struct DenoisedPicture {
     Image color;
-    DenoisedError error;
+    std::optional<DenoisedError> error; ///< none for fewer than 8 tiles of 16 x 16 pixels
 };
 
 /// The number of replicas that denoise needs: the variance of a replica is taken from at least two

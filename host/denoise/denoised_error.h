@@ -6,7 +6,7 @@ namespace calotype {
 /// of ErrorEstimate::relative.
 struct DenoisedError {
     double relative = 0.0;
-    double bound = 0.0; ///< `relative` is below it with a probability of 95 %
+    double bound = 0.0; ///< the true one is below it with a probability of 95 %
 };
 
 } // namespace calotype

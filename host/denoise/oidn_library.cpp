@@ -14,8 +14,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kFileName = "libOpenImageDenoise.so.2";
-constexpr const char* kAdvice = "; ./bootstrap gets it, or: pip install pyoidn; or name it in "
-                                "CALOTYPE_OIDN";
+constexpr const char* kAdvice = "; ./bootstrap gets it, or: pip install pyoidn; the command line "
+                                "also takes it from CALOTYPE_OIDN";
 
 } // namespace
 
@@ -40,11 +40,14 @@ OidnLibrary::OidnLibrary(const fs::path& path) {
         handle_ = dlopen(path_.c_str(), RTLD_NOW | RTLD_LOCAL);
         if (handle_)
             break;
-        problem = dlerror();
+        const std::string reason = dlerror();
+        std::error_code ignored;
+        if (files.size() == 1 || fs::exists(candidate, ignored))
+            problem += " (" + reason + ")";
     }
     if (!handle_)
-        throw SettingError("denoise", "needs Open Image Denoise 2, which was not found" +
-                                          (files.size() > 1 ? "" : " (" + problem + ")") + kAdvice);
+        throw SettingError("denoise", "needs Open Image Denoise 2, which cannot be loaded" +
+                                          problem + kAdvice);
     bool isVersion2 = true;
     const auto load = [&](const char* name, auto& function) {
         // POSIX lets an object pointer of dlsym become a function pointer.

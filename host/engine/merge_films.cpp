@@ -25,7 +25,7 @@ void join(KeptFilm& joined, const std::string& path) {
 bool hasSameOrigin(const std::string& path, const KeptFilm& a, const KeptFilm& b) {
     try {
         requireSameOrigin(path, a, b.label, b.film.width(), b.film.height(), b.film.unit(),
-                          b.film.detail());
+                          a.film.detail()); // which may differ
         return true;
     } catch (const SceneError&) {
         return false;
@@ -47,6 +47,10 @@ void requireNoLess(const std::string& path, const KeptFilm& joined) {
     const std::optional<KeptFilm> existing = readIfWhole(path);
     if (!existing || !hasSameOrigin(path, *existing, joined))
         return;
+    if (existing->film.detail() == ReplicaDetail::Color &&
+        joined.film.detail() != ReplicaDetail::Color)
+        throw SceneError(path, "the film exists already, and can be denoised, which these films "
+                               "cannot; name another file, or replace it with --overwrite");
     const BlockRanges missing = joined.film.blocks().missingFrom(existing->film.blocks());
     if (!missing.empty())
         throw SceneError(

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/check.h"
+#include "base/error.h"
 #include "denoise/oidn_denoiser.h"
 #include "film/error_estimate.h"
 #include "shared/limits.h"
@@ -34,6 +35,11 @@ std::vector<ReplicaPicture> replicasOf(const Film& film) {
 PictureDenoiser::PictureDenoiser(DenoiserKind kind, const std::string& library)
     : library_(library) {
     CALOTYPE_CHECK_EQ(kind == DenoiserKind::Oidn, true);
+    try { // now, not after the render
+        OidnDenoiser(library_, {Image(1, 1), Image(1, 1)}, Image(1, 1), 1);
+    } catch (const Error& error) {
+        throw SettingError("denoise", std::string("cannot be used here: ") + error.what());
+    }
 }
 
 CleanPicture PictureDenoiser::run(const Film& film, const Image& noisy,
@@ -45,8 +51,7 @@ CleanPicture PictureDenoiser::run(const Film& film, const Image& noisy,
     DenoisedPicture picture = denoise(replicas, denoiser);
     const auto own = estimateError(film);
     const bool isTrusted = own && own->isTrusted();
-    return {std::move(picture.color), denoiser.name(),
-            isTrusted ? std::optional(picture.error) : std::nullopt};
+    return {std::move(picture.color), denoiser.name(), isTrusted ? picture.error : std::nullopt};
 }
 
 } // namespace calotype

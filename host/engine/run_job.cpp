@@ -1,6 +1,7 @@
 #include "engine/run_job.h"
 
 #include <algorithm>
+#include <exception>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -91,10 +92,16 @@ public:
         result_.totals = session->totals();
         seconds_.render = result_.totals.seconds;
         seconds_.firstSample = prepared + result_.totals.firstSampleSeconds;
+        OutputFailures failures;
+        if (keeper.isWanted()) // before anything that takes long, or may fail
+            failures.attempt([&] { keeper.save(*film_); });
+        std::exception_ptr denoiserFailure;
         if (denoiser && session->totals().samplesPerPixel > 0)
-            denoisePicture(*denoiser, *session, features);
-        writeAll(*session, *engine, keeper, writer);
+            denoiserFailure = denoisePicture(*denoiser, *session, features);
+        writeAll(*session, *engine, writer, failures);
         takePixels(*session);
+        if (denoiserFailure) // after all that was rendered is written, without denoising
+            std::rethrow_exception(denoiserFailure);
         engine->finish();
         for (const std::string& warning : lossWarnings(result_.totals.losses, engine->cutPixels()))
             warn(warning);
@@ -196,24 +203,31 @@ private:
         }
     }
 
-    void denoisePicture(const PictureDenoiser& denoiser, Session& session,
-                        const FeatureImage& features) {
+    /// Not after a stop: denoising takes long. Returns why it failed, if it did.
+    std::exception_ptr denoisePicture(const PictureDenoiser& denoiser, Session& session,
+                                      const FeatureImage& features) {
+        if (result_.ending == RenderEnding::Stopped) {
+            warn("the picture is not denoised, because the render was stopped");
+            return nullptr;
+        }
         report("denoising", 0.0);
-        clean_ = timed(seconds_.denoise, [&] {
-            return denoiser.run(*session.evenFilm(), session.picture(), features,
-                                device_.options().threads);
-        });
+        try {
+            clean_ = timed(seconds_.denoise, [&] {
+                return denoiser.run(*session.evenFilm(), session.picture(), features,
+                                    device_.options().threads);
+            });
+        } catch (const std::exception&) {
+            return std::current_exception();
+        }
         result_.isDenoised = true;
         result_.denoised = clean_->error;
+        return nullptr;
     }
 
     /// If one of the outputs fails, the others are still written.
-    void writeAll(Session& session, const RenderEngine& engine, FilmKeeper& keeper,
-                  const PictureWriter& writer) {
+    void writeAll(Session& session, const RenderEngine& engine, const PictureWriter& writer,
+                  OutputFailures& failures) {
         const Clock::time_point before = Clock::now();
-        OutputFailures failures;
-        if (keeper.isWanted())
-            failures.attempt([&] { keeper.save(*film_); });
         failures.attempt([&] { writer.writeOutputs(session, clean_); });
         seconds_.write = secondsSince(before);
         if (!job_.output.statsFile.empty())

@@ -326,8 +326,8 @@ void requireSameOrigin(const std::filesystem::path& path, const KeptFilm& film,
         fail("another size");
     if (film.film.detail() != detail)
         fail(detail == ReplicaDetail::Color
-                 ? "a render without --denoise, and the other is for denoising"
-                 : "a render for denoising, and the other is without --denoise");
+                 ? "a render without --denoise, and lacks what denoising needs"
+                 : "a render for denoising, and not one without --denoise");
 }
 
 } // namespace calotype

@@ -35,6 +35,10 @@ TEST_F(DenoiseTest, SaysHowToGetTheLibraryBeforeItRenders) {
     EXPECT_EQ(folder_.names(), (std::vector<std::string>{"scene.json"}));
 }
 
+TEST_F(DenoiseTest, DoesNotGoWithAdaptiveSampling) {
+    expectFailure(render({"-o", picture_, "--adaptive"}), 2, "--adaptive");
+}
+
 /// Tests of the denoised picture are skipped where the library is not installed.
 class DenoisedPictureTest : public DenoiseTest {
 protected:
@@ -97,10 +101,6 @@ TEST_F(DenoisedPictureTest, NeedsAFilmThatWasMadeForIt) {
     // It can be continued with and without.
     ASSERT_EQ(runProgram({"render", scene_, "--film", film, "--spp", "32"}).exitCode, 0);
     EXPECT_EQ(render({"--film", film, "--spp", "48", "-o", picture_}).exitCode, 0);
-}
-
-TEST_F(DenoisedPictureTest, DoesNotGoWithAdaptiveSampling) {
-    expectFailure(render({"-o", picture_, "--adaptive"}), 2, "--adaptive");
 }
 
 } // namespace

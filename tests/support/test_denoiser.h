@@ -12,9 +12,9 @@ namespace calotype::test {
 /// Open Image Denoise beside the program under test, where ./bootstrap puts it, or of the system.
 /// Null where there is none: tests that need it are skipped.
 inline std::unique_ptr<const OidnLibrary> testDenoiser() {
-    const auto folder = std::filesystem::path(kProgram).parent_path() / "oidn/lib";
+    const auto file = oidnFile(std::filesystem::path(kProgram).parent_path() / "oidn/lib");
     try {
-        return std::make_unique<const OidnLibrary>(exists(folder) ? folder : "");
+        return std::make_unique<const OidnLibrary>(exists(file) ? file : "");
     } catch (const SettingError&) {
         return nullptr;
     }

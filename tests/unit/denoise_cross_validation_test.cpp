@@ -102,9 +102,9 @@ Honesty honestyOf(Denoiser& denoiser, double deviation, double samples) {
     for (uint32_t seed = 1; seed <= kPictures; ++seed) {
         const auto picture = denoise(noisyReplicas(deviation, samples, seed), denoiser);
         const double error = trueError(picture.color);
-        honesty.stated += square(picture.error.relative) / kPictures;
+        honesty.stated += square(picture.error->relative) / kPictures;
         honesty.actual += square(error) / kPictures;
-        honesty.kept += (error <= picture.error.bound ? 1.0 : 0.0) / kPictures;
+        honesty.kept += (error <= picture.error->bound ? 1.0 : 0.0) / kPictures;
     }
     honesty.stated = std::sqrt(honesty.stated);
     honesty.actual = std::sqrt(honesty.actual);
@@ -141,11 +141,54 @@ TEST(CrossValidationTest, IsNeverWorseThanSamplesOrDenoiser) {
         }
 }
 
+// The weights around one huge sample are as without it, but for the pixels near it.
+TEST(CrossValidationTest, AFireflyHasNoEffectFarAway) {
+    Identity identity;
+    auto replicas = noisyReplicas(0.5, 16.0, 1);
+    const Image before = denoise(replicas, identity).color;
+    replicas[3].mean.at(5, 24) = glm::vec3(1e6f);
+    const Image after = denoise(replicas, identity).color;
+    for (uint32_t x = 20; x < kWidth; ++x)
+        EXPECT_EQ(after.at(x, 24), before.at(x, 24)) << x;
+    Blur blur;
+    for (const ReplicaPicture& replica : replicas)
+        ASSERT_EQ(replica.mean.width, kWidth);
+    const Image blurred = denoise(replicas, blur).color;
+    replicas[3].mean.at(5, 24) = truth().at(5, 24);
+    const Image blurredBefore = denoise(replicas, blur).color;
+    for (uint32_t x = 20; x < kWidth; ++x)
+        EXPECT_NEAR(blurred.at(x, 24).g, blurredBefore.at(x, 24).g, 1e-5) << x;
+}
+
+// Replicas of 144 samples: one has 32, the others 16.
+TEST(CrossValidationTest, TakesReplicasOfUnequalSamples) {
+    Identity identity;
+    constexpr uint32_t kPictures = 40;
+    double stated = 0.0;
+    double actual = 0.0;
+    for (uint32_t seed = 1; seed <= kPictures; ++seed) {
+        auto replicas = noisyReplicas(0.4, 16.0, seed);
+        replicas.resize(5);
+        replicas[2] = noisyReplicas(0.4, 64.0, 1000 + seed)[0];
+        const DenoisedPicture picture = denoise(replicas, identity);
+        stated += square(picture.error->relative);
+        actual += square(trueError(picture.color));
+    }
+    // Without one of five replicas there are 7/8 or half of the samples: (4 * 8/7 + 2) / 5 = 1.31.
+    EXPECT_NEAR(stated / actual, 1.31, 0.06);
+}
+
+TEST(CrossValidationTest, StatesNoErrorOfATinyPicture) {
+    Identity identity;
+    std::vector<ReplicaPicture> replicas(3, {Image(16, 16), 1.0});
+    EXPECT_FALSE(denoise(replicas, identity).error);
+}
+
 TEST(CrossValidationTest, KeepsSamplesWithoutNoise) {
     Blur blur;
     const DenoisedPicture picture = denoise(noisyReplicas(0.0, 16.0, 1), blur);
     EXPECT_LT(trueError(picture.color), 1e-6);
-    EXPECT_LT(picture.error.relative, 1e-3);
+    EXPECT_LT(picture.error->relative, 1e-3);
 }
 
 } // namespace

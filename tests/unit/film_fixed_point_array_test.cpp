@@ -68,7 +68,9 @@ TEST(FixedPointArrayTest, HoldsEveryWidth) {
         FixedPointArray alone(3);
         alone.write(1, std::vector{number});
         expectEqual(alone, {0, number, 0});
-        EXPECT_TRUE(alone == alone);
+        FixedPointArray other(3);
+        other.write(1, std::vector{number ^ 1});
+        EXPECT_FALSE(alone == other);
     }
     FixedPointArray together(numbers.size());
     together.write(0, numbers);
