@@ -58,13 +58,17 @@ double distanceWithWeight(FilmFilter filter, double weight) {
 
 } // namespace
 
-std::vector<float> filterQuantiles(FilmFilter filter) {
+std::vector<shared::FilterStep> filterSteps(FilmFilter filter) {
     const double whole = weightWithin(filter, filterRadius(filter));
-    std::vector<float> quantiles = {0.0f};
-    for (uint32_t step = 1; step <= shared::kFilterSteps; ++step)
-        quantiles.push_back(
-            static_cast<float>(distanceWithWeight(filter, whole * step / shared::kFilterSteps)));
-    return quantiles;
+    std::vector<shared::FilterStep> steps(shared::kFilterSteps);
+    float begin = 0.0f;
+    for (uint32_t i = 0; i < shared::kFilterSteps; ++i) {
+        const auto end =
+            static_cast<float>(distanceWithWeight(filter, whole * (i + 1) / shared::kFilterSteps));
+        steps[i].quantiles = {begin, end};
+        begin = end;
+    }
+    return steps;
 }
 
 } // namespace calotype

@@ -250,7 +250,8 @@ private:
         const Camera& camera = scene_.camera;
         const FilmFilter filter = scene_.film.filter;
         packed_.camera = packCamera(camera, filter, packed_.origin, aspectRatio);
-        packed_.filterQuantiles = filterQuantiles(filter);
+        if (filter != FilmFilter::Box)
+            packed_.filterSteps = filterSteps(filter);
         enable(shared::kFeatureFilter, filter != FilmFilter::Box);
         enable(shared::kFeatureLens, camera.lensRadius > 0.0);
         enable(shared::kFeatureOrthographic, camera.projection == Projection::Orthographic);

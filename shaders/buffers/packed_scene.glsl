@@ -43,10 +43,4 @@
 /// A row of the texels of all images: four texels of 8-bit RGBA, or one of four floats.
 uvec4 loadTexelRow(uint row) { return texelFetch(rowsOfTexels, int(row)); }
 
-/// Entry `step` of the table of the film filter's quantiles.
-float loadFilterQuantile(uint step) {
-    uvec4 row = texelFetch(rowsOfFilter, int(step >> 2u));
-    return uintBitsToFloat(row[step & 3u]);
-}
-
 #endif

@@ -14,7 +14,8 @@ float sampleFilterTable(float u) {
     float step = abs(2.0 * u - 1.0) * float(kFilterSteps);
     uint index = min(uint(step), kFilterSteps - 1u);
     float f = step - float(index);
-    float x = (1.0 - f) * loadFilterQuantile(index) + f * loadFilterQuantile(index + 1u);
+    vec2 ends = loadFilterStep(index).quantiles;
+    float x = (1.0 - f) * ends.x + f * ends.y;
     return u < 0.5 ? -x : x;
 }
 

@@ -16,8 +16,8 @@ SCENE_ARRAY(Quadrics, Quadric, quadrics, "quadrics")
 SCENE_ARRAY(Materials, Material, materials, "materials")
 SCENE_ARRAY(Textures, Texture, textures, "textures")
 SCENE_ARRAY(Lights, Light, lights, "lights")
+SCENE_ARRAY(Filter, FilterStep, filterSteps, "film filter")
 SCENE_ROWS(Texels, TexelRows, texelRows, "texels")
-SCENE_ROWS(Filter, float, filterQuantiles, "film filter")
 BINDING(Camera)      // uniform buffer
 BINDING(Block)       // storage image
 BINDING(Counters)    // storage buffer

@@ -122,6 +122,14 @@ FIELD(uint, flags, z) ///< kLightEmitsFromBack, kLightHiddenFromCamera
 FIELD(uint, kind, w)  ///< kLightTriangle...
 END(Light)
 
+// A step of the table of the film filter's quantiles: the distances from a pixel's centre along one
+// axis, in pixels, at its begin and at its end.
+STRUCT(FilterStep)
+ROW(vec2, quantiles, xy)
+FIELD(uint, pad0, z)
+FIELD(uint, pad1, w)
+END(FilterStep)
+
 // Perspective: `right` and `up` go from the centre of the image plane, one unit along `forward`, to
 // its edges. Orthographic: they go from `position` to the edges of the view.
 STRUCT(Camera)

@@ -189,7 +189,7 @@ TEST_F(PinnedNumbersTest, StayWithinTheFiltersSupport) {
     for (const FilmFilter filter :
          {FilmFilter::Box, FilmFilter::Tent, FilmFilter::Gaussian, FilmFilter::BlackmanHarris}) {
         GpuScene table;
-        table.filterQuantiles = filterQuantiles(filter);
+        table.filterSteps = filterSteps(filter);
         const PrimitiveScene scene(std::move(table));
         const SceneBuffers buffers(testDevice(), scene.packed());
         const shared::Camera camera = packCamera(Camera{}, filter, glm::dvec3(0.0), 1.0);

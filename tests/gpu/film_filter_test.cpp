@@ -24,7 +24,7 @@ protected:
     /// Offsets from the pixel's centre for points of the unit square.
     std::vector<glm::dvec2> offsets(const std::vector<glm::vec2>& points) const {
         GpuScene table;
-        table.filterQuantiles = filterQuantiles(GetParam());
+        table.filterSteps = filterSteps(GetParam());
         const PrimitiveScene scene(std::move(table));
         const SceneBuffers buffers(testDevice(), scene.packed());
         const shared::Camera camera = packCamera(Camera{}, GetParam(), glm::dvec3(0.0), 1.0);

@@ -51,8 +51,6 @@ TEST_F(LayoutTest, IsTheSameInHostAndKernel) {
 #define END_BINDINGS
 #include "shared/binding_table.h"
     scene.texelRows = {{}};
-    const auto quantiles = distinct.make<std::array<float, 4>>();
-    scene.filterQuantiles = {quantiles.begin(), quantiles.end()};
     const auto camera = distinct.make<shared::Camera>();
     struct Parameters {
         shared::RenderParameters render;

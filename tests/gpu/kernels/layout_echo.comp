@@ -65,8 +65,6 @@ void main() {
 #define BINDING(id)
 #define END_BINDINGS
 #include "shared/binding_table.h"
-    for (uint step = 0u; step < 4u; ++step)
-        put(loadFilterQuantile(step));
     put(camera);
     put(parameters);
     put(firstHitParameters);
