@@ -41,7 +41,7 @@ public:
     RecordPass(const Device& device, const GpuScene& scene, const SceneBuffers& buffers,
                const Crop& crop, const Kernel& kernel)
         : device_(device), crop_(crop), tileCount_(countTiles(crop)),
-          tilesPerDispatch_(std::min(tileCount_, kMostTilesPerDispatch)),
+          sizer_(std::min(tileCount_, kMostTilesPerDispatch)),
           camera_(uploadBuffer(device, std::as_bytes(std::span(&scene.camera, 1)),
                                vk::BufferUsageFlagBits::eUniformBuffer,
                                std::string("camera of ") + kernel.name)),
@@ -59,13 +59,12 @@ public:
     template <typename Take>
     void run(Parameters parameters, const Take& take,
              const std::function<void(double)>& onProgress) {
-        DispatchSizer sizer(tilesPerDispatch_);
         for (uint32_t first = 0; first < tileCount_;) {
-            const uint32_t count = std::min(sizer.tiles(), tileCount_ - first);
+            const uint32_t count = std::min(sizer_.tiles(), tileCount_ - first);
             const auto start = std::chrono::steady_clock::now();
             parameters.firstTile = first;
             pipeline_.run(device_, count, std::as_bytes(std::span(&parameters, 1)));
-            sizer.update(count, secondsSince(start));
+            sizer_.update(count, secondsSince(start));
             readTiles(first, count, take);
             first += count;
             if (onProgress)
@@ -109,7 +108,7 @@ private:
     const Device& device_;
     Crop crop_;
     uint32_t tileCount_;
-    uint32_t tilesPerDispatch_;
+    DispatchSizer sizer_;
     Buffer camera_;
     Buffer records_;
     ComputePipeline pipeline_;
