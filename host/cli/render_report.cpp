@@ -71,10 +71,17 @@ std::string judgedText(const ErrorEstimate& error, double target) {
 void warnOfGoal(const RenderResult& result) {
     const auto& target = result.plan.targetError;
     const auto& error = result.totals.error;
-    if (target && result.ending != RenderEnding::TargetError)
-        printWarning("the error of " + targetText(*target) +
-                     " that --target-error sets was not reached" +
-                     (error ? judgedText(*error, *target) : ""));
+    if (!target || result.ending == RenderEnding::TargetError)
+        return;
+    std::string found;
+    if (result.denoised)
+        found = ": after denoising it is " + percentText(result.denoised->relative) +
+                ", or up to " + percentText(result.denoised->upperBound) +
+                " within the uncertainty of the samples";
+    else if (error)
+        found = judgedText(*error, *target);
+    printWarning("the error of " + targetText(*target) +
+                 " that --target-error sets was not reached" + found);
 }
 
 /// What to do about an error that rests on rare light.

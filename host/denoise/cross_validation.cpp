@@ -7,6 +7,7 @@
 
 #include "base/check.h"
 #include "film/error_estimate.h"
+#include "film/looks.h"
 #include "math/luminance.h"
 #include "math/square.h"
 
@@ -233,9 +234,10 @@ private:
         const TileMean share = meanOfTiles(shares, color.width, color.height);
         if (share.tiles < kLeastTiles)
             return std::nullopt;
-        const double most = share.mean + kNormalQuantile95 * share.standardError;
-        return DenoisedError{relativeError(std::max(share.mean, 0.0)),
-                             relativeError(std::max(most, 0.0))};
+        const auto above = [&](double quantile) {
+            return relativeError(std::max(share.mean + quantile * share.standardError, 0.0));
+        };
+        return DenoisedError{above(0.0), above(kNormalQuantile95), above(kSharedQuantile)};
     }
 
     Replicas replicas_;

@@ -13,6 +13,7 @@ struct RenderPlan {
     uint64_t samplesBefore = 0;                   ///< per pixel, from the film
     std::optional<uint64_t> samplesPerPixel = {}; ///< including those before
     std::optional<double> targetError = {};
+    bool targetsDenoised = false;       ///< the target is for the picture after denoising
     std::optional<double> seconds = {}; ///< from the start of sampling
 };
 

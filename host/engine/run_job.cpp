@@ -13,6 +13,7 @@
 #include "base/error.h"
 #include "base/output_failures.h"
 #include "base/stopwatch.h"
+#include "engine/denoised_goal.h"
 #include "engine/film_keeper.h"
 #include "engine/film_label.h"
 #include "engine/loss_warnings.h"
@@ -87,7 +88,11 @@ public:
         const std::unique_ptr<Session> session = begin(*engine, keeper);
         const double prepared = secondsSince(start_);
         result_.plan = planFor(*session);
-        result_.ending = render(*session, keeper, writer);
+        std::optional<DenoisedGoal> denoisedGoal;
+        if (denoiser && settings_.targetError)
+            denoisedGoal.emplace(*settings_.targetError, *denoiser, features,
+                                 device_.options().threads);
+        result_.ending = render(*session, keeper, writer, denoisedGoal);
         session->error(); // of the final film, for the totals
         result_.totals = session->totals();
         seconds_.render = result_.totals.seconds;
@@ -97,7 +102,7 @@ public:
             failures.attempt([&] { keeper.save(*film_); });
         std::exception_ptr denoiserFailure;
         if (denoiser && session->totals().samplesPerPixel > 0)
-            denoiserFailure = denoisePicture(*denoiser, *session, features);
+            denoiserFailure = denoisePicture(*denoiser, denoisedGoal, *session, features);
         writeAll(*session, *engine, writer, failures);
         takePixels(*session);
         if (denoiserFailure) // after all that was rendered is written, without denoising
@@ -152,6 +157,7 @@ private:
         plan.pixels = uint64_t{settings_.crop.width} * settings_.crop.height;
         plan.samplesBefore = session.totals().samplesPerPixel;
         plan.targetError = settings_.targetError;
+        plan.targetsDenoised = settings_.denoiser != DenoiserKind::Off;
         if (settings_.seconds)
             plan.seconds = std::max(0.0, *settings_.seconds - secondsSince(start_));
         if (job_.limitsSamples)
@@ -159,11 +165,14 @@ private:
         return plan;
     }
 
-    RenderEnding render(Session& session, FilmKeeper& keeper, const PictureWriter& writer) {
+    RenderEnding render(Session& session, FilmKeeper& keeper, const PictureWriter& writer,
+                        std::optional<DenoisedGoal>& denoisedGoal) {
         const Clock::time_point start = Clock::now();
         const RenderPlan& plan = result_.plan;
         RenderGoal goal;
         goal.targetError = plan.targetError;
+        if (denoisedGoal)
+            goal.denoisedError = [&](const Film& film) { return denoisedGoal->errorOf(film); };
         if (plan.seconds)
             goal.deadline = start + std::chrono::duration_cast<Clock::duration>(
                                         std::chrono::duration<double>(*plan.seconds));
@@ -204,21 +213,26 @@ private:
     }
 
     /// Not after a stop: denoising takes long. Returns why it failed, if it did.
-    std::exception_ptr denoisePicture(const PictureDenoiser& denoiser, Session& session,
+    std::exception_ptr denoisePicture(const PictureDenoiser& denoiser,
+                                      std::optional<DenoisedGoal>& goal, Session& session,
                                       const FeatureImage& features) {
+        seconds_.denoise = goal ? goal->seconds() : 0.0;
         if (result_.ending == RenderEnding::Stopped) {
             warn("the picture is not denoised, because the render was stopped");
             return nullptr;
         }
         report("denoising", 0.0);
+        const Clock::time_point before = Clock::now();
         try {
-            clean_ = timed(seconds_.denoise, [&] {
-                return denoiser.run(*session.evenFilm(), session.picture(), features,
-                                    device_.options().threads);
-            });
+            const Film& film = *session.evenFilm();
+            if (goal)
+                clean_ = goal->take(film);
+            if (!clean_)
+                clean_ = denoiser.run(film, session.picture(), features, device_.options().threads);
         } catch (const std::exception&) {
             return std::current_exception();
         }
+        seconds_.denoise += secondsSince(before);
         result_.isDenoised = true;
         result_.denoised = clean_->error;
         return nullptr;

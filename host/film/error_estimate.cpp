@@ -30,10 +30,6 @@ double studentInterval(double degrees) {
                      degrees - static_cast<double>(below));
 }
 
-/// The one-sided normal quantile of 1 - 0.05 / 153: the level of 5 % is divided by the looks.
-constexpr double kSharedQuantile = 3.4084;
-static_assert(kLooks == 153);
-
 /// From 512 samples on, the doubt is below 1.13 in the project's scenes, where the estimates are
 /// correct to 10 %, and mostly above 9 where glass balls focus the light of a small lamp.
 constexpr double kMostDoubt = 1.4;

@@ -21,6 +21,10 @@ inline constexpr int kLooksPerDoubling = 8;
 inline constexpr int kLooks =
     kLooksPerDoubling * (std::bit_width(uint64_t{kMostSamplesPerPixel} / kFirstLook) - 1) + 1;
 
+/// The one-sided normal quantile of 1 - 0.05 / 153: the level of 5 % is divided by the looks.
+inline constexpr double kSharedQuantile = 3.4084;
+static_assert(kLooks == 153);
+
 /// The first look that is greater than `samples`.
 constexpr uint64_t lookAfter(uint64_t samples) {
     if (samples < kFirstLook)

@@ -108,7 +108,16 @@ const std::optional<ErrorEstimate>& RenderSession::error() {
 }
 
 bool RenderSession::isGoodEnough(const RenderGoal& goal) {
-    return goal.targetError && isLook(film_.samplesPerPixel()) && isReached(goal, error());
+    if (!goal.targetError || !isLook(film_.samplesPerPixel()))
+        return false;
+    if (!goal.denoisedError)
+        return isReached(goal, error());
+    const std::optional<DenoisedError> denoised = goal.denoisedError(film_);
+    if (!denoised)
+        return false;
+    totals_.denoised = denoised;
+    totals_.denoisedSamples = film_.samplesPerPixel();
+    return denoised->upperBound <= *goal.targetError;
 }
 
 Image RenderSession::picture() {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "denoise/denoised_error.h"
 #include "film/error_estimate.h"
 #include "film/film_losses.h"
 
@@ -17,6 +18,9 @@ struct RenderTotals {
     double seconds = 0.0;               ///< of sampling alone
     double firstSampleSeconds = 0.0;    ///< of sampling until every pixel had a sample
     std::optional<ErrorEstimate> error; ///< of the film's whole blocks, updated from time to time
+    /// With RenderGoal::denoisedError: what it was last, and the samples per pixel of that picture.
+    std::optional<DenoisedError> denoised;
+    uint64_t denoisedSamples = 0;
 };
 
 /// Why a render ended.

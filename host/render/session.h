@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "denoise/denoised_error.h"
 #include "image/image.h"
 #include "image/layer.h"
 #include "image/picture.h"
@@ -22,6 +23,10 @@ struct RenderGoal {
     /// checked at the looks of film/looks.h only, among which the chance of a wrong bound is
     /// divided.
     std::optional<double> targetError;
+    /// Where it is set: the error that is compared with targetError in place of the film's own
+    /// estimate; none if it is not known yet. Only for sessions of which all pixels have the same
+    /// samples.
+    std::function<std::optional<DenoisedError>(const Film&)> denoisedError;
     std::optional<std::chrono::steady_clock::time_point> deadline;
 };
 

@@ -93,7 +93,8 @@ void addEnd(std::vector<Setting>& rows) {
     rows.push_back(
         {.name = "target_error",
          .type = "X",
-         .help = "Render until the relative error, at 95 % confidence, is at most this, e.g. 0.02",
+         .help = "Render until the relative error, at 95 % confidence, is at most this, e.g. 0.02; "
+                 "with --denoise, that of the picture after denoising",
          .expected = "a relative error between 0 and 1, such as 0.02 for 2 %",
          .group = SettingGroup::End,
          .read =

@@ -77,6 +77,24 @@ TEST_F(DenoisedPictureTest, StatesItsErrorAndKeepsTheSamples) {
     EXPECT_NE(picture.color.pixels, noisy.pixels);
 }
 
+// The samples alone would need more of them.
+TEST_F(DenoisedPictureTest, EndsByTheErrorAfterDenoising) {
+    scene_ = std::string(kProjectFolder) + "/scenes/cornell-box.json";
+    ASSERT_EQ(
+        render({"-o", picture_, "--target-error", "0.16", "--stats", stats_, "--size", "64x64"})
+            .exitCode,
+        0);
+    const auto json = statistics();
+    EXPECT_EQ(json["ended_by"], "target-error");
+    EXPECT_LE(json["denoised_bound"], 0.16);
+    EXPECT_GT(json["error"]["relative"], 0.16);
+    const ProgramResult result =
+        render({"-o", picture_, "--target-error", "0.01", "--spp", "128", "--size", "48x48"});
+    ASSERT_EQ(result.exitCode, 0);
+    EXPECT_NE(result.errors.find("was not reached: after denoising it is"), std::string::npos)
+        << result.errors;
+}
+
 TEST_F(DenoisedPictureTest, IsTheSameBytesAgain) {
     ASSERT_EQ(render({"-o", picture_, "--spp", "48"}).exitCode, 0);
     ASSERT_EQ(render({"-o", folder_ / "b.exr", "--spp", "48"}).exitCode, 0);

@@ -127,6 +127,15 @@ TEST(CrossValidationTest, StatesTheTrueError) {
     }
 }
 
+// Both bounds add standard errors to the mean of the squares: 1.645, and 3.4084 for 153 looks.
+TEST(CrossValidationTest, BoundsAreQuantilesOfOneNormalDistribution) {
+    Blur blur;
+    const DenoisedError error = *denoise(noisyReplicas(0.5, 4.0, 1), blur).error;
+    EXPECT_NEAR((square(error.upperBound) - square(error.relative)) /
+                    (square(error.bound) - square(error.relative)),
+                3.4084 / 1.645, 1e-6);
+}
+
 // The better of the two, or better than both.
 TEST(CrossValidationTest, IsNeverWorseThanSamplesOrDenoiser) {
     Blur blur;

@@ -185,5 +185,25 @@ TEST(RenderSessionTest, EndsAtALookThatIsGoodEnough) {
     }
 }
 
+// An error from elsewhere takes the place of the film's own, which here is good enough at once.
+TEST(RenderSessionTest, EndsByTheErrorAfterDenoising) {
+    SettlingTracer tracer(0.0f);
+    RenderSession session(tracer, settingsFor(0, 1u << 16), 64.0);
+    std::vector<uint64_t> looks;
+    RenderGoal goal;
+    goal.targetError = 0.05;
+    goal.denoisedError = [&](const Film& film) -> std::optional<DenoisedError> {
+        looks.push_back(film.samplesPerPixel());
+        if (looks.size() == 2)
+            return std::nullopt; // not known
+        return DenoisedError{0.01, 0.02, looks.size() < 4 ? 0.0501 : 0.05};
+    };
+    EXPECT_EQ(session.run({}, 0, goal), RenderEnding::TargetError);
+    EXPECT_EQ(looks, (std::vector<uint64_t>{128, 144, 160, 176}));
+    EXPECT_EQ(session.totals().samplesPerPixel, 176u);
+    EXPECT_EQ(session.totals().denoisedSamples, 176u);
+    EXPECT_EQ(session.totals().denoised->upperBound, 0.05);
+}
+
 } // namespace
 } // namespace calotype::test

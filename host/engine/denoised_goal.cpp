@@ -1,0 +1,45 @@
+#include "engine/denoised_goal.h"
+
+#include <exception>
+#include <utility>
+
+#include "base/stopwatch.h"
+
+namespace calotype {
+
+std::optional<DenoisedError> DenoisedGoal::errorOf(const Film& film) {
+    if (!isDue(film.samplesPerPixel()))
+        return std::nullopt;
+    const Clock::time_point before = Clock::now();
+    picture_.reset();
+    try {
+        picture_ = denoiser_.run(film, film.picture(), features_, threads_);
+    } catch (const std::exception&) { // the render goes on; denoising its end will fail again
+        hasFailed_ = true;
+        return std::nullopt;
+    }
+    samples_ = film.samplesPerPixel();
+    lastEnd_ = Clock::now();
+    lastSeconds_ = secondsSince(before);
+    seconds_ += lastSeconds_;
+    return picture_->error;
+}
+
+bool DenoisedGoal::isDue(uint64_t samples) const {
+    if (!picture_)
+        return !hasFailed_;
+    if (secondsSince(lastEnd_) < lastSeconds_)
+        return false;
+    if (!picture_->error)
+        return true;
+    const double ratio = picture_->error->upperBound / targetError_;
+    return static_cast<double>(samples) >= static_cast<double>(samples_) * ratio * ratio;
+}
+
+std::optional<CleanPicture> DenoisedGoal::take(const Film& film) {
+    if (!picture_ || samples_ != film.samplesPerPixel())
+        return std::nullopt;
+    return std::exchange(picture_, std::nullopt);
+}
+
+} // namespace calotype

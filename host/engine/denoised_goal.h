@@ -1,0 +1,49 @@
+#pragma once
+
+#include <chrono>
+#include <optional>
+
+#include "engine/picture_denoiser.h"
+#include "film/film.h"
+#include "image/features.h"
+
+namespace calotype {
+
+/// Denoises a film from time to time while it is rendered, to end the render when the picture after
+/// denoising is good enough.
+class DenoisedGoal {
+public:
+    /// Keeps references. `threads` 0: all cores.
+    DenoisedGoal(double targetError, const PictureDenoiser& denoiser, const FeatureImage& features,
+                 uint32_t threads)
+        : targetError_(targetError), denoiser_(denoiser), features_(features), threads_(threads) {}
+
+    /// The error of the film after denoising. None where it is above the target anyway, where
+    /// denoising would take more than half of the time, where nobody can state the error, or if
+    /// denoising fails.
+    std::optional<DenoisedError> errorOf(const Film& film);
+
+    /// The picture of the last errorOf, if the film had as many samples as now.
+    std::optional<CleanPicture> take(const Film& film);
+
+    double seconds() const { return seconds_; } ///< of denoising, all together
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    /// Errors fall no faster than with the root of the samples: after denoising rather slower.
+    bool isDue(uint64_t samples) const;
+
+    double targetError_;
+    const PictureDenoiser& denoiser_;
+    const FeatureImage& features_;
+    uint32_t threads_;
+    std::optional<CleanPicture> picture_;
+    bool hasFailed_ = false;
+    uint64_t samples_ = 0; ///< per pixel, of `picture_`
+    double seconds_ = 0.0;
+    double lastSeconds_ = 0.0; ///< of denoising `picture_`
+    Clock::time_point lastEnd_;
+};
+
+} // namespace calotype
