@@ -93,8 +93,11 @@ void addQuietFlag(CLI::App& command, bool& quiet) {
 }
 
 void addDisplayOptions(CLI::App& command, DisplayTransform& display) {
-    addParsed(command, "--exposure", display.exposureStops, parseExposure,
-              "Brighten PNGs by this many stops (factors of two)", "STOPS")
+    addParsed(
+        command, "--exposure", display.exposureStops, parseExposure,
+        "Brighten PNGs by this many stops (factors of two); auto: so that the picture's key is "
+        "middle grey",
+        "STOPS")
         ->group("Output");
     addParsed(command, "--tonemap", display.toneMap, parseToneMap,
               "How PNGs treat bright light: " + std::string(kToneMapNames), "NAME")

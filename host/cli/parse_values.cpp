@@ -92,12 +92,14 @@ ToneMap parseToneMap(const std::string& text) {
     return *toneMap;
 }
 
-float parseExposure(const std::string& text) {
+std::optional<float> parseExposure(const std::string& text) {
     constexpr float kMaxStops = 100.0f;
+    if (text == "auto")
+        return std::nullopt;
     const auto stops = parseNumber<float>(text);
     if (!stops || !(std::abs(*stops) <= kMaxStops))
-        fail("--exposure", text, "a number of stops from -100 to 100");
-    return *stops;
+        fail("--exposure", text, "a number of stops from -100 to 100, or auto");
+    return stops;
 }
 
 ProgressStyle parseProgressStyle(const std::string& text) {

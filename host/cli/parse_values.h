@@ -15,10 +15,11 @@ SceneOverride parseOverride(const std::string& text);          ///< --set "/poin
 MissingTextures parseMissingTextures(const std::string& text); ///< --missing-textures
 /// --from "1,2,3" and others. Messages name `option`.
 glm::dvec3 parsePoint(const std::string& option, const std::string& text);
-glm::dvec3 parseUp(const std::string& text);          ///< --up "0,1,0", not zero
-double parseFieldOfView(const std::string& text);     ///< --fov, in degrees
-ToneMap parseToneMap(const std::string& text);        ///< --tonemap
-float parseExposure(const std::string& text);         ///< --exposure "-1.5", in stops
+glm::dvec3 parseUp(const std::string& text);      ///< --up "0,1,0", not zero
+double parseFieldOfView(const std::string& text); ///< --fov, in degrees
+ToneMap parseToneMap(const std::string& text);    ///< --tonemap
+/// --exposure "-1.5", in stops; none: "auto"
+std::optional<float> parseExposure(const std::string& text);
 double parseMaxRelativeMse(const std::string& text);  ///< --max-relmse "1e-3"
 BlockRange parseSampleRange(const std::string& text); ///< --require "0:1024"
 

@@ -28,6 +28,14 @@ std::string denoisedText(const RenderResult& result) {
            percentText(result.denoised->bound) + ")";
 }
 
+/// "exposure: 1.3 stops; --exposure 1.3 gives the same picture".
+std::string exposureText(float stops) {
+    char text[80];
+    std::snprintf(text, sizeof(text),
+                  "exposure: %.1f stops; --exposure %.1f gives the same picture", stops, stops);
+    return text;
+}
+
 /// "a.exr, a.png".
 std::string listed(const std::vector<std::string>& paths) {
     std::string places;
@@ -123,6 +131,8 @@ void reportRender(const RenderOptions& options, const RenderResult& result) {
                  totals.error ? (", error" + estimateText(*totals.error)).c_str() : "",
                  denoisedText(result).c_str(), rate(totals.paths).c_str(),
                  rate(totals.rays).c_str());
+    if (result.exposureStops)
+        std::fprintf(stderr, "%s\n", exposureText(*result.exposureStops).c_str());
 }
 
 } // namespace calotype

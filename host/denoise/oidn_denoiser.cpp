@@ -6,37 +6,13 @@
 
 #include "base/check.h"
 #include "base/error.h"
-#include "math/luminance.h"
+#include "image/key_luminance.h"
 
 namespace calotype {
-namespace {
-
-constexpr double kMiddleGrey = 0.18;
-constexpr uint32_t kBlock = 16; ///< pixels
-constexpr double kAlmostBlack = 1e-8;
-
-double meanLuminanceOfBlock(const Image& picture, uint32_t left, uint32_t top) {
-    const uint32_t right = std::min(left + kBlock, picture.width);
-    const uint32_t bottom = std::min(top + kBlock, picture.height);
-    double sum = 0.0;
-    for (uint32_t y = top; y < bottom; ++y)
-        for (uint32_t x = left; x < right; ++x)
-            sum += luminance(glm::dvec3(picture.at(x, y)));
-    return sum / static_cast<double>((right - left) * (bottom - top));
-}
-
-} // namespace
 
 float exposureFor(const Image& picture) {
-    double logarithms = 0.0;
-    uint32_t blocks = 0;
-    for (uint32_t top = 0; top < picture.height; top += kBlock)
-        for (uint32_t left = 0; left < picture.width; left += kBlock)
-            if (const double mean = meanLuminanceOfBlock(picture, left, top); mean > kAlmostBlack) {
-                logarithms += std::log(mean);
-                ++blocks;
-            }
-    return blocks > 0 ? static_cast<float>(kMiddleGrey / std::exp(logarithms / blocks)) : 1.0f;
+    const double key = keyLuminance(picture);
+    return key > 0.0 ? static_cast<float>(kMiddleGrey / key) : 1.0f;
 }
 
 OidnDenoiser::OidnDenoiser(const OidnLibrary& library, DenoiserFeatures features,

@@ -263,8 +263,14 @@ private:
     void takePixels(Session& session) {
         result_.width = settings_.crop.width;
         result_.height = settings_.crop.height;
+        const bool choosesExposure = !job_.output.display.exposureStops;
+        if (!job_.returnsPixels && !choosesExposure)
+            return;
+        const Image picture = clean_ ? clean_->color : session.picture();
         if (job_.returnsPixels)
-            result_.pixels = floatsOf(clean_ ? clean_->color : session.picture());
+            result_.pixels = floatsOf(picture);
+        if (choosesExposure)
+            result_.exposureStops = exposureOf(picture);
     }
 
     const Scene& scene_;

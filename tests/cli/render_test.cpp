@@ -150,6 +150,23 @@ TEST_F(RenderTest, ExposureAndToneMapGoIntoThePngOnly) {
     EXPECT_NE(readText(png), readText(expected));
 }
 
+TEST_F(RenderTest, ChoosesTheExposureAndPrintsIt) {
+    const std::string png = folder_ / "a.png";
+    const std::string exr = folder_ / "a.exr";
+    const ProgramResult result =
+        runProgram({"render", scene_, "-o", png, "-o", exr, "--exposure", "auto"});
+    EXPECT_EQ(result.exitCode, 0);
+    const std::string line = "; --exposure ";
+    const size_t place = result.errors.find(line);
+    ASSERT_NE(place, std::string::npos) << result.errors;
+    const float stops = std::stof(result.errors.substr(place + line.size()));
+    EXPECT_EQ(stops, exposureOf(readExr(exr)));
+    EXPECT_NE(stops, 0.0f);
+    const std::string expected = folder_ / "expected.png";
+    writePicture(expected, {readExr(exr)}, {.exposureStops = stops});
+    EXPECT_EQ(readText(png), readText(expected));
+}
+
 TEST_F(RenderTest, StatsSayWhatWasDone) {
     const std::string stats = folder_ / "stats.json";
     const ProgramResult result = runProgram({"render", scene_, "-o", folder_ / "a.png", "--stats",

@@ -1,7 +1,9 @@
 #include "film/display_transform.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <gtest/gtest.h>
 
@@ -17,7 +19,7 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr float kLargest = std::numeric_limits<float>::max();
-constexpr ToneMap kToneMaps[] = {ToneMap::None, ToneMap::Neutral, ToneMap::Reinhard};
+constexpr ToneMap kToneMaps[] = {ToneMap::None, ToneMap::Neutral, ToneMap::Reinhard, ToneMap::Agx};
 
 glm::ivec3 shown(const glm::vec3& radiance, const DisplayTransform& transform = {}) {
     Image image(1, 1);
@@ -63,6 +65,7 @@ TEST(ToneMapTest, IsFoundByName) {
     EXPECT_EQ(toneMapFromName("none"), ToneMap::None);
     EXPECT_EQ(toneMapFromName("neutral"), ToneMap::Neutral);
     EXPECT_EQ(toneMapFromName("reinhard"), ToneMap::Reinhard);
+    EXPECT_EQ(toneMapFromName("agx"), ToneMap::Agx);
     EXPECT_EQ(toneMapFromName("Neutral"), std::nullopt);
     EXPECT_EQ(toneMapFromName(""), std::nullopt);
 }
@@ -101,6 +104,65 @@ TEST(ToneMapTest, NeutralMatchesItsSpecification) {
 
 TEST(ToneMapTest, ReinhardKeepsTheRatiosOfChannels) {
     EXPECT_EQ(applyToneMap(ToneMap::Reinhard, {3.0f, 1.5f, 0.0f}), glm::vec3(0.75f, 0.375f, 0.0f));
+}
+
+// The displayed value, encoded for a display of gamma 2.2.
+double encoded(const glm::vec3& mapped, int channel) {
+    return std::pow(double(mapped[channel]), 1.0 / 2.2);
+}
+
+TEST(ToneMapTest, AgxMatchesItsDefinition) {
+    const auto map = [](const glm::vec3& color) { return applyToneMap(ToneMap::Agx, color); };
+    // Greys: middle grey becomes a half, with slope 2 over 16.5 stops; the ends, and beyond them.
+    EXPECT_NEAR(encoded(map(glm::vec3(0.18f)), 1), 0.5, 1e-6);
+    const float little = std::exp2(0.01f);
+    EXPECT_NEAR(encoded(map(glm::vec3(0.18f * little)), 0), 0.5 + 2.0 * 0.01 / 16.5, 1e-5);
+    EXPECT_EQ(map(glm::vec3(0.18f / 1030.0f)), glm::vec3(0.0f));
+    EXPECT_GT(map(glm::vec3(0.18f / 1000.0f)).r, 0.0f);
+    EXPECT_NEAR(map(glm::vec3(0.18f * 90.50967f)).b, 1.0f, 1e-6); // 2^6.5
+    EXPECT_NEAR(map(glm::vec3(1e6f)).b, 1.0f, 1e-6);
+    // The formula's power at five stops below and at three above, by hand: 4^3 - 0.606061^-3 is
+    // 59.507875, and 4^3.25 - 0.393939^-3.25 is 69.862789.
+    EXPECT_NEAR(encoded(map(glm::vec3(0.18f / 32.0f)), 0), 0.0623646, 1e-6);
+    EXPECT_NEAR(encoded(map(glm::vec3(0.18f * 8.0f)), 0), 0.8375099, 1e-6);
+    // Red 1: the shares are 0.6443, 1.192 and 1.2032 of 3.0395, so the channels become 0.842395,
+    // 0.042395 and 0.042395; after the curve 0.761784 and 0.256540; after the way back as below.
+    const glm::vec3 red = map({1.0f, 0.0f, 0.0f});
+    EXPECT_NEAR(encoded(red, 0), 0.861320, 1e-5);
+    EXPECT_NEAR(encoded(red, 1), 0.229765, 1e-5);
+    EXPECT_EQ(red.g, red.b);
+    EXPECT_GT(map({1e5f, 0.0f, 0.0f}).g, 0.99f);
+}
+
+TEST(ExposureTest, MakesTheKeyMiddleGrey) {
+    Image image(64, 32);
+    for (const float light : {0.18f, 18.0f, 1.8e-5f}) {
+        std::ranges::fill(image.pixels, glm::vec3(light));
+        EXPECT_NEAR(exposureOf(image), std::log2(0.18f / light), 0.0501f);
+        EXPECT_EQ(toDisplay(image, {std::nullopt}).pixels,
+                  toDisplay(image, {exposureOf(image)}).pixels);
+    }
+    // Half of the picture is 2 stops above the other: the mean is 1 stop above.
+    for (uint32_t y = 0; y < 32; ++y)
+        for (uint32_t x = 0; x < 64; ++x)
+            image.at(x, y) = glm::vec3(x < 32 ? 0.18f : 0.72f);
+    EXPECT_EQ(exposureOf(image), -1.0f);
+    // Black surroundings do not count, and neither does a pixel that is not finite.
+    for (uint32_t y = 0; y < 32; ++y)
+        for (uint32_t x = 0; x < 32; ++x)
+            image.at(x, y) = glm::vec3(0.0f);
+    image.at(63, 0) = glm::vec3(NAN);
+    EXPECT_EQ(exposureOf(image), -2.0f);
+}
+
+TEST(ExposureTest, IsZeroForABlackPicture) { EXPECT_EQ(exposureOf(Image(20, 20)), 0.0f); }
+
+// A hundredth of the pixels has all the light, as in the first samples of a path tracer.
+TEST(ExposureTest, DoesNotDependOnNoise) {
+    Image noisy(160, 160);
+    for (size_t i = 0; i < noisy.pixels.size(); i += 16)
+        noisy.pixels[i + i / 160 % 16] = glm::vec3(16.0f * 0.18f);
+    EXPECT_NEAR(exposureOf(noisy), 0.0f, 0.1f);
 }
 
 TEST(WritePictureTest, PicksTheFormatByExtension) {
