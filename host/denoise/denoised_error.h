@@ -7,7 +7,8 @@ namespace calotype {
 struct DenoisedError {
     double relative = 0.0;
     double bound = 0.0; ///< the true one is below it with a probability of 95 %
-    /// Likewise for renders that end by it: wrong with the probability of ErrorEstimate::upperBound.
+    /// Likewise for renders that end by it: wrong with the probability of
+    /// ErrorEstimate::upperBound.
     double upperBound = 0.0;
 };
 
