@@ -18,6 +18,10 @@ namespace {
 /// The kernel feature for lights of that kind.
 uint32_t featureOf(uint32_t kind) { return shared::kFeatureTriangleLights + kind; }
 
+/// A triangle that is chosen less often is sampled by area, which costs less: the variance of its
+/// light comes from the choice (docs/models.md, "Triangle light").
+constexpr double kLeastBySolidAngle = 1.0 / 64.0;
+
 // The features of the kinds must follow each other.
 constexpr uint32_t kLightKinds = 0
 #define LIGHT(id, sort, people) +1
@@ -94,6 +98,10 @@ std::vector<shared::Light> LightPacker::take() {
         light.ownNumbers = columns[i].ownNumbers;
         light.aliasNumbers = columns[i].aliasNumbers;
         light.alias = columns[i].alias;
+        if (light.kind == shared::kLightTriangle && columns[i].probability >= kLeastBySolidAngle) {
+            light.flags |= shared::kLightBySolidAngle;
+            features_.enabled[shared::kFeatureSolidAngleLights] = true;
+        }
         packed.push_back(light);
     }
     return packed;

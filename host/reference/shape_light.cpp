@@ -6,7 +6,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "reference/sample_shape.h"
 #include "reference/warp.h"
 
 namespace calotype::reference {
@@ -42,6 +41,16 @@ bool isSeenAsCone(const Geometry& geometry, const glm::dvec3& shadingPoint) {
         return false;
 }
 
+/// A triangle that is chosen less often is sampled by area (docs/models.md, "Triangle light").
+constexpr double kLeastBySolidAngle = 1.0 / 64.0;
+
+/// The corners of a triangle of the mesh, from `shadingPoint`.
+SeenTriangle seenTriangle(const Mesh& mesh, uint32_t triangle, const glm::dvec3& shadingPoint) {
+    const uint32_t* corners = mesh.triangles[triangle].position;
+    return {mesh.positions[corners[0]] - shadingPoint, mesh.positions[corners[1]] - shadingPoint,
+            mesh.positions[corners[2]] - shadingPoint};
+}
+
 } // namespace
 
 ShapeLight::ShapeLight(uint32_t primitive, const Shape& shape, uint32_t triangle, double area,
@@ -50,11 +59,27 @@ ShapeLight::ShapeLight(uint32_t primitive, const Shape& shape, uint32_t triangle
       radiance_(material.emission), shinesFromBack_(!material.emitsFromFrontOnly),
       isHiddenFromCamera_(!material.visibleToCamera) {}
 
+bool ShapeLight::isSampledBySolidAngle(const SeenTriangle& seen) const {
+    return selectionProbability >= kLeastBySolidAngle && seen.isSampledBySolidAngle();
+}
+
+ShapePoint ShapeLight::sampleTriangle(const Mesh& mesh, const glm::dvec3& shadingPoint,
+                                      const glm::dvec2& u) const {
+    ShapePoint on = samplePoint(mesh, triangle_, u);
+    const SeenTriangle seen = seenTriangle(mesh, triangle_, shadingPoint);
+    if (isSampledBySolidAngle(seen)) {
+        const glm::dvec3 wi = seen.direction(u);
+        const double distance = glm::dot(seen.a, on.normal) / glm::dot(wi, on.normal);
+        on.position = shadingPoint + distance * wi;
+    }
+    return on;
+}
+
 Light::Sample ShapeLight::sample(const glm::dvec3& shadingPoint, const glm::dvec2& u) const {
     const ShapePoint on = std::visit(
         [&]<typename G>(const G& geometry) {
             if constexpr (std::is_same_v<G, Mesh>) {
-                return samplePoint(geometry, triangle_, u);
+                return sampleTriangle(geometry, shadingPoint, u);
             } else if constexpr (std::is_same_v<G, Sphere>) {
                 return isSeenAsCone(geometry, shadingPoint)
                            ? sampleSeenSphere(geometry, shadingPoint, u)
@@ -79,6 +104,11 @@ double ShapeLight::pdf(const glm::dvec3& shadingPoint, const glm::dvec3&,
                         glm::dot(shadingPoint - point.position, point.normal) < 0.0;
                     return isFarSide ? 0.0 : sphereConePdf(geometry, shadingPoint);
                 }
+            }
+            if constexpr (std::is_same_v<G, Mesh>) {
+                const SeenTriangle seen = seenTriangle(geometry, triangle_, shadingPoint);
+                if (isSampledBySolidAngle(seen))
+                    return 1.0 / seen.solidAngle();
             }
             return hidesItself(geometry, shadingPoint, point.position, point.normal)
                        ? 0.0

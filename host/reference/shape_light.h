@@ -1,6 +1,8 @@
 #pragma once
 
 #include "reference/light.h"
+#include "reference/sample_shape.h"
+#include "reference/spherical_triangle.h"
 #include "scene/scene.h"
 
 namespace calotype::reference {
@@ -23,6 +25,13 @@ public:
     bool isHiddenFromCamera() const override { return isHiddenFromCamera_; }
 
 private:
+    /// Of this light's triangle, as seen from a shading point.
+    bool isSampledBySolidAngle(const SeenTriangle& seen) const;
+
+    /// By solid angle or uniform on the area.
+    ShapePoint sampleTriangle(const Mesh& mesh, const glm::dvec3& shadingPoint,
+                              const glm::dvec2& u) const;
+
     const Shape& shape_;
     uint32_t triangle_;
     double area_;

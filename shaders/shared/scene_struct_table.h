@@ -118,7 +118,7 @@ FIELD(uint, firstNumber, z) ///< of the random numbers that fall into the column
 FIELD(uint, ownNumbers, w)  ///< those of them that choose this light; they come first
 ROW(uint, aliasNumbers, x)  ///< those after them; they choose the light `alias`
 FIELD(uint, alias, y)
-FIELD(uint, flags, z) ///< kLightEmitsFromBack, kLightHiddenFromCamera
+FIELD(uint, flags, z) ///< kLightEmitsFromBack...
 FIELD(uint, kind, w)  ///< kLightTriangle...
 END(Light)
 

@@ -62,6 +62,7 @@ CALOTYPE_FUNCTION uint sortOfLight(uint kind) { return (kSortsOfLights >> 2u * k
 // Light::flags.
 CALOTYPE_CONSTANT uint kLightEmitsFromBack = 1u;
 CALOTYPE_CONSTANT uint kLightHiddenFromCamera = 2u;
+CALOTYPE_CONSTANT uint kLightBySolidAngle = 4u; // of a triangle, where single precision allows it
 
 #include "shared/declare_structs.h"
 #include "shared/scene_struct_table.h"

@@ -37,6 +37,20 @@ void addRectangle(SceneBuilder& builder, uint32_t material) {
     builder.rectangle({-3.0, -0.7, 3.0}, {6.0, 0.0, 0.0}, {0.0, 0.0, -6.0}, material);
 }
 
+/// The lit floor with its lamp cut into 64 rectangles, whose triangles are each chosen too rarely
+/// to be sampled by solid angle.
+SceneBuilder floorBelowManyLamps() {
+    SceneBuilder builder = litFloor();
+    const uint32_t lamp =
+        std::get<Mesh>(builder.scene().shapes.back().geometry).triangles[0].material;
+    builder.scene().shapes.pop_back();
+    for (int i = 0; i < 8; ++i)
+        for (int j = 0; j < 8; ++j)
+            builder.rectangle({-1.0 + 0.25 * i, 2.5, -1.0 + 0.25 * j}, {0.25, 0.0, 0.0},
+                              {0.0, 0.0, 0.25}, lamp);
+    return builder;
+}
+
 struct Row {
     uint32_t feature;
     Scene without;
@@ -88,6 +102,7 @@ std::vector<Row> rows() {
         rowOf(shared::kFeatureTriangles, litBall(), [](SceneBuilder& b) { addRectangle(b, 0); }),
         rowOf(shared::kFeatureTriangleLights, litBall(),
               [](SceneBuilder& b) { addRectangle(b, 1); }),
+        {shared::kFeatureSolidAngleLights, floorBelowManyLamps().scene(), litFloor().scene()},
         rowOf(shared::kFeatureDiffuse, litBall(),
               [](SceneBuilder& b) { b.scene().materials[0].type = MaterialType::Diffuse; })};
     const auto isThere = [&](uint32_t feature) {

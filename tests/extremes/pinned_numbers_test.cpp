@@ -49,6 +49,10 @@ protected:
 
 std::vector<Shape> everyLight() {
     return {shapeOf(singleTriangle({0, 0, 0}, {1, 0, 0}, {0.3, 0, 0.8})),
+            shapeOf(singleTriangle({0, 0, 0}, {1, 0, 0}, {0.5, 0, 1e-7})),
+            shapeOf(singleTriangle({0, 0, 0}, {0.5, 0, 0}, {1, 1e-6, 0})),
+            shapeOf(singleTriangle({1e-9, 0, 0}, {0, 1e-9, 0}, {0, 0, 1e-9})),
+            shapeOf(singleTriangle({-1e9, 0.3, -1e9}, {1e9, 0.3, -1e9}, {0, 0.3, 1e9})),
             shapeOf(Sphere{{}, 0.7}),
             shapeOf(Disk{{}, 0.7}),
             shapeOf(Cylinder{{}, 0.5, 1.2}),
@@ -66,7 +70,13 @@ TEST_F(PinnedNumbersTest, FindPointsOfLights) {
         std::vector<shared::TestLightQuery> queries; // at every pair of ends
         for (const glm::dvec3& from :
              {glm::dvec3(0.0), glm::dvec3(0.1, 0.3, -0.1), glm::dvec3(0.0, 2.0, 0.0),
-              glm::dvec3(0.5, 0.0, 0.0), glm::dvec3(-20.0, -50.0, 30.0), glm::dvec3(1e6, 0.0, 0.0)})
+              glm::dvec3(0.5, 0.0, 0.0), glm::dvec3(-20.0, -50.0, 30.0), glm::dvec3(1e6, 0.0, 0.0),
+              // For the first triangle: its corners, its plane, and close to all of them.
+              glm::dvec3(1.0, 0.0, 0.0), glm::dvec3(0.3, 0.0, 0.8), glm::dvec3(0.4, 0.0, 0.2),
+              glm::dvec3(0.4, 1e-6, 0.2), glm::dvec3(0.4, -1e-6, 0.0), glm::dvec3(1.0, 1e-6, 0.0),
+              glm::dvec3(0.4, 1e-20, 0.2), glm::dvec3(1e-20, 1e-20, 0.0),
+              glm::dvec3(-1.0, 0.0, -1.0), glm::dvec3(-1.0, 1e-6, -1.0),
+              glm::dvec3(1e5, 1e6, -1e5)})
             for (const float x : kEnds)
                 for (const float y : kEnds)
                     queries.push_back(

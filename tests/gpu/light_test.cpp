@@ -47,6 +47,12 @@ std::vector<LightCase> lightCases() {
     add("TriangleNear", triangle(), seen(0.4, 0.2, 0.3));
     add("TriangleFar", triangle(), seen(30.0, 40.0, -20.0));
     add("TriangleBehind", triangle(), seen(0.2, -1.0, 0.2));
+    add("TriangleClose", triangle(), seen(0.4, 0.02, 0.3));
+    add("TriangleVeryClose", triangle(), seen(0.4, 0.001, 0.3));
+    add("TriangleBesideItsEdge", triangle(), seen(0.5, 0.01, -0.01));
+    add("TriangleAboveItsEdge", triangle(), seen(0.15, 0.01, 0.4));
+    add("TriangleAboveItsCorner", triangle(), seen(1.0, 0.01, 0.0));
+    add("TriangleGrazing", triangle(), seen(-2.0, 0.05, 0.3));
     add("SphereNear", Sphere{frame, 0.7}, seen(0.2, 0.75, 0.1));
     add("SphereFar", Sphere{frame, 0.7}, seen(-20.0, 50.0, 30.0));
     add("SphereVeryFar", Sphere{frame, 0.001}, seen(-20.0, 50.0, 30.0));

@@ -29,6 +29,19 @@ TEST_F(SinCosTwoPiTest, ErrsByLessThanItStates) {
     EXPECT_LT(worst, 1.2e-7);
 }
 
+TEST_F(SinCosTwoPiTest, SineOfASmallAngleIsRelativelyPrecise) {
+    std::vector<float> turns;
+    for (float u = 0x1p-100f; u < 0.1f; u *= 1.0173f)
+        turns.push_back(u);
+    const auto results = runKernel<glm::vec2>(kSinCosTwoPiSpirv, turns);
+    double worst = 0.0;
+    for (size_t i = 0; i < turns.size(); ++i) {
+        const double wanted = std::sin(2.0 * std::numbers::pi * static_cast<double>(turns[i]));
+        worst = std::max(worst, std::abs(static_cast<double>(results[i].x) / wanted - 1.0));
+    }
+    EXPECT_LT(worst, 4.0 * 0x1p-23);
+}
+
 TEST_F(SinCosTwoPiTest, IsExactAtQuarterTurns) {
     const auto results =
         runKernel<glm::vec2>(kSinCosTwoPiSpirv, std::vector<float>{0.0f, 0.25f, 0.5f, 0.75f, 1.0f});

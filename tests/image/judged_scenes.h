@@ -34,6 +34,7 @@ inline constexpr JudgedScene kJudgedScenes[] = {
     {"Disk", "scenes/disk.json"},
     {"Mesh", "scenes/mesh.json"},
     {"Lanterns", "tests/image/scenes/lanterns.json"},
+    {"NearLamps", "tests/image/scenes/near-lamps.json"},
 };
 
 inline void PrintTo(const JudgedScene& scene, std::ostream* stream) { *stream << scene.name; }

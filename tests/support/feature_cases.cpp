@@ -132,6 +132,7 @@ const CaseOfFeature kDiskLightsCase = {light(kPlate), darkenDisk};
 const CaseOfFeature kHiddenLightsCase = {camera(hideLamp)};
 const CaseOfFeature kLightAlphaCase = {
     camera([](Scene& scene) { scene.materials[kLamp].opacity = 0.5; })};
+const CaseOfFeature kSolidAngleLightsCase = {camera([](Scene&) {})};
 const CaseOfFeature kBackgroundLightsCase = {
     camera([](Scene& scene) {
         scene.background = {0.3, 0.4, 0.5};

@@ -61,7 +61,8 @@ TEST(PackSceneTest, EnablesWhatTheSceneHasAndNothingElse) {
     EXPECT_EQ(featuresOf(packed({shapeOf(triangleOf(0))})),
               (Features{shared::kFeatureTriangles, kDiffuse}));
     EXPECT_EQ(featuresOf(packed({shapeOf(triangleOf(1))})),
-              (Features{shared::kFeatureTriangles, shared::kFeatureTriangleLights}));
+              (Features{shared::kFeatureTriangles, shared::kFeatureTriangleLights,
+                        shared::kFeatureSolidAngleLights}));
     EXPECT_EQ(
         featuresOf(packed({shapeOf(Sphere{}, 1), shapeOf(Disk{}, 2)})),
         (Features{shared::kFeatureSpheres, shared::kFeatureDisks, shared::kFeatureSphereLights,
@@ -75,6 +76,17 @@ TEST(PackSceneTest, EnablesWhatTheSceneHasAndNothingElse) {
         0;
     EXPECT_EQ(featuresOf(packed({shapeOf(smooth)})),
               (Features{shared::kFeatureTriangles, shared::kFeatureSmoothNormals, kDiffuse}));
+}
+
+// From 65 equal lights on, each is chosen in less than one of 64 cases.
+TEST(PackSceneTest, SamplesTrianglesBySolidAngleIfTheyAreOftenChosen) {
+    for (const size_t count : {64, 65}) {
+        const GpuScene scene = packed(std::vector<Shape>(count, shapeOf(triangleOf(1))));
+        ASSERT_EQ(scene.lightCount, count);
+        for (const shared::Light& light : scene.lights)
+            EXPECT_EQ((light.flags & shared::kLightBySolidAngle) != 0, count == 64);
+        EXPECT_EQ(scene.features.enabled[shared::kFeatureSolidAngleLights], count == 64);
+    }
 }
 
 // From a quarter of what rays visit on, quadrics are many; where they are alone, it does not

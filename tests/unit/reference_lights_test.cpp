@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "reference/lights.h"
+#include "reference/spherical_triangle.h"
 #include "reference/warp.h"
 #include "support/random_numbers.h"
 #include "support/statistics.h"
@@ -99,18 +100,40 @@ TEST(ReferenceLightsTest, DiskLightsAsItsAngleSays) {
     expectNear(irradianceBySampling(lit, 0), kPi * 2.25 / (2.25 + 4.0));
 }
 
-// Half the sum of the edges' angles, each times the cosine of its plane (Lambert 1760).
-TEST(ReferenceLightsTest, TriangleLightsByLambertsFormula) {
-    const glm::dvec3 corners[] = {{-0.5, 1.0, 0.3}, {1.2, 1.5, 0.1}, {0.2, 2.0, -1.0}};
-    const LitScene lit({shapeOf(singleTriangle(corners[0], corners[1], corners[2]))});
-    double expected = 0.0;
+/// Irradiance from a triangle of radiance 1: half the sum of the edges' angles, each times the
+/// cosine of its plane (Lambert 1760).
+double lambertsFormula(const glm::dvec3 (&corners)[3]) {
+    double sum = 0.0;
     for (int i = 0; i < 3; ++i) {
         const glm::dvec3& a = corners[i];
         const glm::dvec3& b = corners[(i + 1) % 3];
-        expected += 0.5 * std::acos(glm::dot(glm::normalize(a), glm::normalize(b))) *
-                    glm::normalize(glm::cross(a, b)).y;
+        sum += 0.5 * std::acos(glm::dot(glm::normalize(a), glm::normalize(b))) *
+               glm::normalize(glm::cross(a, b)).y;
     }
-    expectNear(irradianceBySampling(lit, 0), std::abs(expected));
+    return std::abs(sum);
+}
+
+reference::SeenTriangle seenFromOrigin(const glm::dvec3 (&corners)[3]) {
+    return {corners[0], corners[1], corners[2]};
+}
+
+TEST(ReferenceLightsTest, TriangleLightsByLambertsFormula) {
+    const glm::dvec3 corners[] = {{-0.5, 1.0, 0.3}, {1.2, 1.5, 0.1}, {0.2, 2.0, -1.0}};
+    const LitScene lit({shapeOf(singleTriangle(corners[0], corners[1], corners[2]))});
+    expectNear(irradianceBySampling(lit, 0), lambertsFormula(corners));
+}
+
+// (Lambert 1760, as above.) By solid angle no value exceeds the solid angle, however near the lamp
+// is: here its height is a fiftieth of its size.
+TEST(ReferenceLightsTest, NearTriangleLightsWithLittleVariance) {
+    const glm::dvec3 corners[] = {{-0.8, 0.02, 0.6}, {1.1, 0.02, 0.5}, {0.1, 0.02, -1.3}};
+    const LitScene lit({shapeOf(singleTriangle(corners[0], corners[1], corners[2]))});
+    const Estimate sampled = irradianceBySampling(lit, 0);
+    const double expected = lambertsFormula(corners);
+    expectNear(sampled, expected);
+    // Of a value of the mean m that is at most s, the variance is at most m (s - m).
+    const double most = seenFromOrigin(corners).solidAngle();
+    EXPECT_LT(sampled.standardError, std::sqrt(expected * (most - expected) / 200'000.0) * 1.01);
 }
 
 TEST(ReferenceLightsTest, SampledAndSeenAreTheSameLight) {
@@ -138,7 +161,8 @@ TEST(ReferenceLightsTest, SampledAndSeenAreTheSameLight) {
 TEST(ReferenceLightsTest, DensityIntegratesToWhatIsSeen) {
     for (const Shape& shape :
          {shapeOf(Sphere{at({0.5, 2.0, 0.2}), 0.7}), shapeOf(Disk{at({0.5, 2.0, 0.2}), 0.7}),
-          shapeOf(singleTriangle({0, 1, 0}, {1, 2, 0}, {0, 2, 1}))})
+          shapeOf(singleTriangle({0, 1, 0}, {1, 2, 0}, {0, 2, 1})),
+          shapeOf(singleTriangle({-0.8, 0.02, 0.6}, {1.1, 0.02, 0.5}, {0.1, 0.02, -1.3}))})
         expectNear(lookEverywhere(LitScene({shape}), 0).integralOfPdf, 1.0);
     // From far on its axis a cylinder shows one cap of its area.
     const LitScene lit({shapeOf(Cylinder{at({0.0, 6.0, 0.0}), 1.0, 2.0})});
