@@ -90,6 +90,13 @@ std::string nearestName(std::string_view name, std::span<const std::string> know
     return nearest;
 }
 
+std::string listed(std::span<const std::string> names) {
+    std::string list;
+    for (const std::string& name : names)
+        list += (list.empty() ? "" : ", ") + name;
+    return list;
+}
+
 std::string suggestion(std::string_view name, std::span<const std::string> known) {
     const std::string nearest = nearestName(name, known);
     if (!nearest.empty())

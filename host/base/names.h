@@ -18,6 +18,9 @@ std::string twoDigits(double number);
 /// Names in quotes, separated by commas; the first twenty if there are many.
 std::string listInQuotes(std::span<const std::string> names);
 
+/// Paths or names as they are, separated by commas: "a.exr, a.png".
+std::string listed(std::span<const std::string> names);
+
 /// The end of a sentence about an unknown `name`: `did you mean "radius"?`, or the list of known
 /// names if none is similar. Empty if there are no known names.
 std::string suggestion(std::string_view name, std::span<const std::string> known);

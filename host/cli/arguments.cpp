@@ -59,7 +59,11 @@ void addDeviceOptions(CLI::App& command, DeviceOptions& device, const std::strin
                         others)
         ->type_name("DEVICE")
         ->group("Device");
-    command.add_option("--threads", device.threads, "Threads on the CPU (default: all cores)")
+    addThreadsOption(command, device.threads);
+}
+
+void addThreadsOption(CLI::App& command, uint32_t& threads) {
+    command.add_option("--threads", threads, "Threads on the CPU (default: all cores)")
         ->check(CLI::Range(1, 1024))
         ->type_name("N")
         ->group("Device");
@@ -90,6 +94,11 @@ void addSettings(CLI::App& command, SettingCommand which, GivenSettings& setting
 void addQuietFlag(CLI::App& command, bool& quiet) {
     command.add_flag("-q,--quiet", quiet, "No progress, only warnings and errors")
         ->multi_option_policy(CLI::MultiOptionPolicy::Throw);
+}
+
+CLI::Option* addStatsOption(CLI::App& command, std::string& file) {
+    return command.add_option("--stats", file, "Write statistics as JSON (docs/json.md)")
+        ->type_name("FILE");
 }
 
 void addDisplayOptions(CLI::App& command, DisplayTransform& display) {

@@ -13,6 +13,8 @@ namespace calotype {
 void addOverrides(CLI::App& command, std::vector<SceneOverride>& overrides);
 void addSceneOptions(CLI::App& command, SceneOptions& scene);
 void addDeviceOptions(CLI::App& command, DeviceOptions& device, const std::string& others = "");
+void addThreadsOption(CLI::App& command, uint32_t& threads);
+CLI::Option* addStatsOption(CLI::App& command, std::string& file);
 void addDisplayOptions(CLI::App& command, DisplayTransform& display);
 /// Adds a flag for each stage of the table.
 void addStageOptions(CLI::App& command, StageList& stages);

@@ -63,6 +63,16 @@ OutputClaims checkOutputs(const RenderOptions& options) {
     return claims;
 }
 
+OutputClaims checkOutputs(const DenoiseOptions& options) {
+    OutputClaims claims;
+    claims.reserve(options.input);
+    for (const std::string& path : options.outputs)
+        claims.claimPicture(path);
+    if (!options.statsFile.empty())
+        claims.claim(options.statsFile);
+    return claims;
+}
+
 OutputClaims checkOutputs(const MergeOptions& options) {
     OutputClaims claims;
     claims.reserve(options.films);

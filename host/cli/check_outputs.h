@@ -11,5 +11,6 @@ namespace calotype {
 /// result must live until the outputs are written.
 OutputClaims checkOutputs(const RenderOptions& options);
 OutputClaims checkOutputs(const MergeOptions& options);
+OutputClaims checkOutputs(const DenoiseOptions& options);
 
 } // namespace calotype

@@ -115,6 +115,33 @@ CLI::App& addMergeCommand(CLI::App& app, MergeOptions& options) {
     return command;
 }
 
+CLI::App& addDenoiseCommand(CLI::App& app, DenoiseOptions& options) {
+    CLI::App& command = *app.add_subcommand(
+        "denoise", "Denoise a film, and state the error, or an EXR picture (Open Image Denoise 2)");
+    command
+        .add_option("input", options.input,
+                    "Film that was rendered with --denoise, or .exr picture, best with the layers "
+                    "meanAlbedo and meanNormal")
+        ->required()
+        ->type_name("INPUT");
+    command
+        .add_option("-o,--output", options.outputs,
+                    "Picture to write: .png (display), .exr or .pfm (linear); may be repeated")
+        ->required()
+        ->type_name("FILE")
+        ->expected(1)
+        ->take_all();
+    addDisplayOptions(command, options.display);
+    addStatsOption(command, options.statsFile)->group("Output");
+    addThreadsOption(command, options.threads);
+    addQuietFlag(command, options.quiet);
+    command.footer(
+        "An .exr output keeps the picture as it was as the layer \"noisy\", and the other "
+        "layers of an\n.exr input. No error is stated of an .exr input.\n\n"
+        "Example: calotype denoise atelier.film -o atelier.exr -o atelier.png");
+    return command;
+}
+
 CLI::App& addInfoCommand(CLI::App& app, InfoOptions& options) {
     CLI::App& command = *app.add_subcommand(
         "info", "Print what a scene holds and what it takes on the device, or what a film holds");
@@ -219,6 +246,7 @@ int parseAndRun(int argc, char** argv) {
     RenderOptions renderOptions;
     InfoOptions infoOptions;
     MergeOptions mergeOptions;
+    DenoiseOptions denoiseOptions;
     CompareOptions compareOptions;
     StudyOptions studyOptions;
     BenchOptions benchOptions;
@@ -226,6 +254,7 @@ int parseAndRun(int argc, char** argv) {
     CLI::App& render = addRenderCommand(app, renderOptions);
     CLI::App& info = addInfoCommand(app, infoOptions);
     CLI::App& merge = addMergeCommand(app, mergeOptions);
+    CLI::App& denoise = addDenoiseCommand(app, denoiseOptions);
     CLI::App& compare = addCompareCommand(app, compareOptions);
     CLI::App& study = addStudyCommand(app, studyOptions);
     CLI::App& bench = addBenchCommand(app, benchOptions);
@@ -262,6 +291,7 @@ int parseAndRun(int argc, char** argv) {
         return renderCommand(renderOptions);
     const int code = info.parsed()      ? infoCommand(infoOptions)
                      : merge.parsed()   ? mergeCommand(mergeOptions)
+                     : denoise.parsed() ? denoiseCommand(denoiseOptions)
                      : compare.parsed() ? compareCommand(compareOptions)
                      : study.parsed()   ? studyCommand(studyOptions)
                      : bench.parsed()   ? benchCommand(benchOptions)

@@ -37,6 +37,9 @@ void print(const KeptFilm& kept) {
     if (const auto error = estimateError(film))
         std::printf("error          %s%s\n", percentText(error->relative).c_str(),
                     trustText(*error).c_str());
+    std::printf("denoising      %s\n", film.detail() == ReplicaDetail::Color
+                                           ? "possible"
+                                           : "not possible: rendered without --denoise");
     std::printf("scene          %s\n", hexadecimal(kept.label.sceneHash).c_str());
     std::printf("device         %s\n", devicesOf(kept.label).c_str());
     for (const auto& [name, value] : kept.label.settings)

@@ -8,27 +8,18 @@
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
-#include "engine/exr_metadata.h"
 #include "engine/film_json.h"
+#include "engine/film_picture.h"
 #include "engine/json_document.h"
 #include "engine/merge_films.h"
-#include "film/develop.h"
 #include "film/film_file.h"
 #include "film/write_picture.h"
 #include "image/image_format.h"
-#include "image/layers.h"
 
 namespace calotype {
 namespace {
 
 constexpr const char* kInterrupted = "interrupted; nothing was written";
-
-Picture pictureOf(const KeptFilm& kept, const MergeOptions& options) {
-    Picture picture = develop(kept.film.picture(), options.layers, options.stages,
-                              [&](const Layer& layer) { return channelsOf(layer, kept.film); });
-    describe(picture, kept.label, kept.film.samplesPerPixel());
-    return picture;
-}
 
 /// Which samples the films hold, and which are missing in between.
 void printSamples(const Film& film) {
@@ -68,9 +59,10 @@ int mergeCommand(const MergeOptions& options) {
     for (const std::string& path : options.outputs)
         failures.attempt([&] {
             if (imageFormatOf(path))
-                writePicture(path, pictureOf(joined, options), options.display);
+                writePicture(path, pictureOf(joined, options.layers, options.stages, {}),
+                             options.display);
             else
-                writeFilm(path, joined.label, joined.film);
+                writeFilm(path, joined.label, joined.film, joined.features);
         });
     failures.throwIfAny();
     return kExitDone;

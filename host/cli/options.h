@@ -56,6 +56,16 @@ struct CompareOptions {
     bool asJson = false;
 };
 
+/// A film, or an EXR picture, to denoise.
+struct DenoiseOptions {
+    std::string input;
+    std::vector<std::string> outputs; ///< pictures
+    DisplayTransform display;
+    std::string statsFile; ///< empty: none
+    uint32_t threads = 0;  ///< 0: all cores
+    bool quiet = false;
+};
+
 /// Films to join.
 struct MergeOptions {
     std::vector<std::string> films;

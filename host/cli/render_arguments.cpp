@@ -28,9 +28,7 @@ void addOutputOptions(CLI::App& command, OutputOptions& output) {
                     "Where previews go (default: the first output)")
         ->type_name("FILE")
         ->group(kOutput);
-    command.add_option("--stats", output.statsFile, "Write statistics as JSON")
-        ->type_name("FILE")
-        ->group(kOutput);
+    addStatsOption(command, output.statsFile)->group(kOutput);
 }
 
 /// Options of the film.

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/names.h"
 #include "base/number_text.h"
+#include "cli/picture_text.h"
 #include "cli/read_scene.h"
 #include "cli/trust_text.h"
 
@@ -20,28 +22,8 @@ std::string estimateText(const ErrorEstimate& error) {
 std::string denoisedText(const RenderResult& result) {
     if (!result.isDenoised)
         return "";
-    if (!result.denoised) {
-        const auto& error = result.totals.error;
-        return ", denoised" + trustText(error.value_or(ErrorEstimate()));
-    }
-    return ", after denoising " + percentText(result.denoised->relative) + " (at most " +
-           percentText(result.denoised->bound) + ")";
-}
-
-/// "exposure: 1.3 stops; --exposure 1.3 gives the same picture".
-std::string exposureText(float stops) {
-    char text[80];
-    std::snprintf(text, sizeof(text),
-                  "exposure: %.1f stops; --exposure %.1f gives the same picture", stops, stops);
-    return text;
-}
-
-/// "a.exr, a.png".
-std::string listed(const std::vector<std::string>& paths) {
-    std::string places;
-    for (const std::string& path : paths)
-        places += (places.empty() ? "" : ", ") + path;
-    return places;
+    return result.denoised ? ", after denoising " + withBoundText(*result.denoised)
+                           : ", denoised (" + unstatedText(result.whyUnstated) + ")";
 }
 
 /// All files that hold the picture: "a.exr, a.png, a.film".

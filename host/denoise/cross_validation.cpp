@@ -169,11 +169,12 @@ private:
 /// One denoised picture and its error.
 class CrossValidation {
 public:
-    CrossValidation(std::span<const ReplicaPicture> replicas, Denoiser& denoiser)
-        : replicas_(replicas), denoiser_(denoiser), pixels_(replicas.front().mean.pixels.size()),
-          errorSums_(pixels_) {
+    CrossValidation(std::span<const ReplicaPicture> replicas, Denoiser& denoiser,
+                    const std::function<void(double)>& onProgress)
+        : replicas_(replicas), denoiser_(denoiser), onProgress_(onProgress),
+          pixels_(replicas.front().mean.pixels.size()), errorSums_(pixels_) {
         for (size_t i = 0; i < replicas_.count(); ++i) {
-            denoised_.push_back(denoiser_.run(replicas_.meanWithout(i)));
+            denoised_.push_back(denoisedWithout(i));
             sampleVariances_.push_back(replicas_.varianceWithout(i));
             errors_.push_back(squaredErrors(denoised_[i], i));
             for (size_t pixel = 0; pixel < pixels_; ++pixel)
@@ -183,12 +184,21 @@ public:
 
     DenoisedPicture run() const {
         const size_t none = replicas_.count();
-        Image color = blended(denoiser_.run(replicas_.meanWithout(none)), none);
+        Image color = blended(denoisedWithout(none), none);
         const std::optional<DenoisedError> error = errorOf(color);
         return {std::move(color), error};
     }
 
 private:
+    /// The denoised mean of all replicas but one; of all, if `left` is their number. It is the
+    /// last.
+    Image denoisedWithout(size_t left) const {
+        Image image = denoiser_.run(replicas_.meanWithout(left));
+        if (onProgress_)
+            onProgress_(static_cast<double>(left + 1) / static_cast<double>(replicas_.count() + 1));
+        return image;
+    }
+
     /// Unbiased estimates of a picture's squared errors by a replica that had no part in it: the
     /// squared distances from that replica, less its own variance.
     Plane squaredErrors(const Image& picture, size_t judge) const {
@@ -242,6 +252,7 @@ private:
 
     Replicas replicas_;
     Denoiser& denoiser_;
+    const std::function<void(double)>& onProgress_;
     size_t pixels_;
     std::vector<Image> denoised_;        ///< for each replica: the mean of the others, denoised
     std::vector<Plane> sampleVariances_; ///< of one sample, from the others
@@ -251,8 +262,9 @@ private:
 
 } // namespace
 
-DenoisedPicture denoise(std::span<const ReplicaPicture> replicas, Denoiser& denoiser) {
-    return CrossValidation(replicas, denoiser).run();
+DenoisedPicture denoise(std::span<const ReplicaPicture> replicas, Denoiser& denoiser,
+                        const std::function<void(double)>& onProgress) {
+    return CrossValidation(replicas, denoiser, onProgress).run();
 }
 
 } // namespace calotype

@@ -15,14 +15,10 @@ float exposureFor(const Image& picture) {
     return key > 0.0 ? static_cast<float>(kMiddleGrey / key) : 1.0f;
 }
 
-OidnDenoiser::OidnDenoiser(const OidnLibrary& library, DenoiserFeatures features,
+OidnDenoiser::OidnDenoiser(const OidnLibrary& library, std::optional<DenoiserFeatures> features,
                            const Image& typical, uint32_t threads)
     : library_(library), features_(std::move(features)), color_(typical.width, typical.height),
       output_(typical.width, typical.height) {
-    for (const Image* feature : {&features_.albedo, &features_.normal}) {
-        CALOTYPE_CHECK_EQ(feature->width, typical.width);
-        CALOTYPE_CHECK_EQ(feature->height, typical.height);
-    }
     device_ = {library_.newDevice(OidnLibrary::kCpuDevice), library_.releaseDevice};
     if (!device_)
         throw Error("Open Image Denoise has no device for this CPU");
@@ -38,11 +34,13 @@ OidnDenoiser::OidnDenoiser(const OidnLibrary& library, DenoiserFeatures features
     filter_ = {library_.newFilter(device_.get(), "RT"), library_.releaseFilter};
     throwIfFailed();
     setImage("color", color_);
-    setImage("albedo", features_.albedo);
-    setImage("normal", features_.normal);
+    if (features_) {
+        setImage("albedo", features_->albedo);
+        setImage("normal", features_->normal);
+        library_.setFilterBool(filter_.get(), "cleanAux", features_->areMeans);
+    }
     setImage("output", output_);
     library_.setFilterBool(filter_.get(), "hdr", true);
-    library_.setFilterBool(filter_.get(), "cleanAux", true);
     library_.setFilterInt(filter_.get(), "quality", OidnLibrary::kHighQuality);
     library_.setFilterFloat(filter_.get(), "inputScale", exposureFor(typical));
     library_.commitFilter(filter_.get());
@@ -51,6 +49,8 @@ OidnDenoiser::OidnDenoiser(const OidnLibrary& library, DenoiserFeatures features
 
 /// The library reads and writes the pixels in place.
 void OidnDenoiser::setImage(const char* name, const Image& image) {
+    CALOTYPE_CHECK_EQ(image.width, color_.width);
+    CALOTYPE_CHECK_EQ(image.height, color_.height);
     library_.setSharedFilterImage(filter_.get(), name, const_cast<glm::vec3*>(image.pixels.data()),
                                   OidnLibrary::kFloat3, image.width, image.height, 0, 0, 0);
 }

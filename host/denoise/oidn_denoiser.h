@@ -2,21 +2,24 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "denoise/denoiser.h"
 #include "denoise/oidn_library.h"
+#include "image/denoiser_features.h"
 
 namespace calotype {
 
 /// Open Image Denoise on the CPU, so that equal pictures give equal bits on one machine.
 class OidnDenoiser : public Denoiser {
 public:
-    /// `typical` is a picture of the scene: its brightness scales all pictures alike, where the
-    /// library would scale each by its own. `threads` 0: all cores. The library must outlive this
-    /// object. Throws Error if its device or filter cannot be made.
-    OidnDenoiser(const OidnLibrary& library, DenoiserFeatures features, const Image& typical,
-                 uint32_t threads);
+    /// `typical` is a picture of the scene, of the size of all: its brightness scales all pictures
+    /// alike, where the library would scale each by its own. Without features, edges that the noise
+    /// hides are lost. `threads` 0: all cores. The library must outlive this object. Throws Error
+    /// if its device or filter cannot be made.
+    OidnDenoiser(const OidnLibrary& library, std::optional<DenoiserFeatures> features,
+                 const Image& typical, uint32_t threads);
 
     Image run(const Image& color) override;
 
@@ -28,7 +31,7 @@ private:
     void setImage(const char* name, const Image& image);
 
     const OidnLibrary& library_;
-    DenoiserFeatures features_;
+    std::optional<DenoiserFeatures> features_;
     Image color_;
     Image output_;
     std::unique_ptr<OidnLibrary::Device, void (*)(OidnLibrary::Device*)> device_{nullptr, nullptr};

@@ -5,7 +5,7 @@
 
 #include "engine/picture_denoiser.h"
 #include "film/film.h"
-#include "image/features.h"
+#include "image/denoiser_features.h"
 
 namespace calotype {
 
@@ -14,8 +14,8 @@ namespace calotype {
 class DenoisedGoal {
 public:
     /// Keeps references. `threads` 0: all cores.
-    DenoisedGoal(double targetError, const PictureDenoiser& denoiser, const FeatureImage& features,
-                 uint32_t threads)
+    DenoisedGoal(double targetError, const PictureDenoiser& denoiser,
+                 const std::optional<DenoiserFeatures>& features, uint32_t threads)
         : targetError_(targetError), denoiser_(denoiser), features_(features), threads_(threads) {}
 
     /// The error of the film after denoising. None where it is above the target anyway, where
@@ -36,7 +36,7 @@ private:
 
     double targetError_;
     const PictureDenoiser& denoiser_;
-    const FeatureImage& features_;
+    const std::optional<DenoiserFeatures>& features_;
     uint32_t threads_;
     std::optional<CleanPicture> picture_;
     bool hasFailed_ = false;

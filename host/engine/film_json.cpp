@@ -46,6 +46,7 @@ Json filmJson(const KeptFilm& kept) {
     json["ranges"] = rangesJson(film.blocks());
     json["missing"] = rangesJson(film.blocks().gaps());
     json["error"] = describeError(estimateError(film));
+    json["can_denoise"] = film.detail() == ReplicaDetail::Color;
     json["settings"] = settingsJson(kept.label.settings);
     json["non_finite_samples"] = film.losses().nonFiniteSamples;
     json["cut_paths"] = film.losses().cutPaths;

@@ -35,8 +35,10 @@ FilmKeeper::FilmKeeper(const FilmOptions& options, FilmLabel label, const Crop& 
     : options_(options), label_(std::move(label)), crop_(crop), detail_(detail),
       file_(options.path(), std::move(spareFolders)), onWarning_(std::move(onWarning)) {
     readContinued();
-    if (continued_)
+    if (continued_) {
         label_.devices = continued_->label.devices;
+        features_ = std::move(continued_->features);
+    }
     if (continued_ && continuedPath_ == path())
         blocksInFile_ = continued_->film.blocks().count();
 }
@@ -83,7 +85,7 @@ Film FilmKeeper::begin(const RenderSettings& settings, double maxRadiance,
     device_ = nameWithDriver(device);
     blocksBefore_ = film.blocks().count();
     if (isWanted() && !isFilm(path())) {
-        writeFilm(path(), label_, film);
+        writeFilm(path(), label_, film, features_);
         blocksInFile_ = blocksBefore_;
     }
     lastSave_ = Clock::now();
@@ -109,8 +111,9 @@ void FilmKeeper::save(const Film& film) {
         return;
     if (blocks > blocksBefore_)
         label_.devices.insert(device_);
-    file_.write("the film",
-                [&](const std::filesystem::path& path) { writeFilm(path, label_, film); });
+    file_.write("the film", [&](const std::filesystem::path& path) {
+        writeFilm(path, label_, film, features_);
+    });
     blocksInFile_ = blocks;
 }
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/film_options.h"
@@ -31,6 +32,11 @@ public:
     bool isWanted() const { return options_.keepsFilm(); }
     const std::string& path() const { return options_.path(); }
     const FilmLabel& label() const { return label_; }
+
+    /// What denoisers use: of the film to continue, if it has it.
+    const std::optional<DenoiserFeatures>& features() const { return features_; }
+    /// To be called before `begin`, with ReplicaDetail::Color.
+    void setFeatures(DenoiserFeatures features) { features_ = std::move(features); }
 
     /// The film to continue, or an empty one of this size. A new film is written at once, so that
     /// there is a file whenever the program is killed. Throws SceneError if the film was made with
@@ -66,6 +72,7 @@ private:
     std::optional<uint64_t> blocksInFile_ = {}; ///< none: the file at `path` is not this film's
     std::string continuedPath_;
     std::optional<KeptFilm> continued_;
+    std::optional<DenoiserFeatures> features_;
     Clock::time_point lastSave_ = Clock::now();
 };
 

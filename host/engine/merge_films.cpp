@@ -1,6 +1,7 @@
 #include "engine/merge_films.h"
 
 #include <optional>
+#include <utility>
 
 #include "base/error.h"
 #include "engine/film_label.h"
@@ -10,7 +11,7 @@ namespace {
 
 /// Adds a film to those joined so far. Throws SceneError if it does not fit them.
 void join(KeptFilm& joined, const std::string& path) {
-    const KeptFilm next = readLabelledFilm(path);
+    KeptFilm next = readLabelledFilm(path);
     requireSameOrigin(path, next, joined.label, joined.film.width(), joined.film.height(),
                       joined.film.unit(), joined.film.detail());
     if (const BlockRange both = joined.film.blocks().firstOverlap(next.film.blocks()); both.end > 0)
@@ -20,6 +21,8 @@ void join(KeptFilm& joined, const std::string& path) {
     if (joined.label.camera.empty())
         joined.label.camera = next.label.camera;
     joined.label.devices.insert(next.label.devices.begin(), next.label.devices.end());
+    if (next.features && (!joined.features || isBefore(*next.features, *joined.features)))
+        joined.features = std::move(next.features);
 }
 
 bool hasSameOrigin(const std::string& path, const KeptFilm& a, const KeptFilm& b) {

@@ -12,16 +12,6 @@
 namespace calotype {
 namespace {
 
-DenoiserFeatures guidesOf(const FeatureImage& features) {
-    DenoiserFeatures guides{Image(features.width, features.height),
-                            Image(features.width, features.height)};
-    for (size_t i = 0; i < features.pixels.size(); ++i) {
-        guides.albedo.pixels[i] = glm::clamp(features.pixels[i].meanAlbedo, 0.0f, 1.0f);
-        guides.normal.pixels[i] = features.pixels[i].meanNormal;
-    }
-    return guides;
-}
-
 std::vector<ReplicaPicture> replicasOf(const Film& film) {
     std::vector<ReplicaPicture> replicas;
     for (uint32_t i = 0; i < shared::kReplicas; ++i)
@@ -30,28 +20,56 @@ std::vector<ReplicaPicture> replicasOf(const Film& film) {
     return replicas;
 }
 
+/// Why the error of a denoised film is not stated; empty if it is.
+std::string whyUnstatedFor(const Film& film, const std::optional<DenoisedError>& error) {
+    const auto ofSamples = estimateError(film); // none for a black film, too
+    const bool hasAll = film.samplesPerPixel() >= shared::kReplicas * shared::kSamplesPerBlock;
+    const Trust otherwise = hasAll ? Trust::RareLight : Trust::TooFewSamples;
+    switch (ofSamples ? ofSamples->trust() : otherwise) {
+    case Trust::TooFewSamples:
+        return "too few samples to tell";
+    case Trust::RareLight:
+        return "that of the samples is not to be trusted";
+    case Trust::Trusted:
+        break;
+    }
+    return error ? "" : "the picture is too small to tell";
+}
+
 } // namespace
 
 PictureDenoiser::PictureDenoiser(DenoiserKind kind, const std::string& library)
     : library_(library) {
     CALOTYPE_CHECK_EQ(kind == DenoiserKind::Oidn, true);
     try { // now, not after the render
-        OidnDenoiser(library_, {Image(1, 1), Image(1, 1)}, Image(1, 1), 1);
+        OidnDenoiser(library_, std::nullopt, Image(1, 1), 1);
     } catch (const Error& error) {
         throw SettingError("denoise", std::string("cannot be used here: ") + error.what());
     }
 }
 
 CleanPicture PictureDenoiser::run(const Film& film, const Image& noisy,
-                                  const FeatureImage& features, uint32_t threads) const {
-    OidnDenoiser denoiser(library_, guidesOf(features), noisy, threads);
+                                  const std::optional<DenoiserFeatures>& features, uint32_t threads,
+                                  const OnProgress& onProgress) const {
     const std::vector<ReplicaPicture> replicas = replicasOf(film);
-    if (replicas.size() < kLeastReplicas)
-        return {denoiser.run(noisy), denoiser.name(), {}};
-    DenoisedPicture picture = denoise(replicas, denoiser);
-    const auto own = estimateError(film);
-    const bool isTrusted = own && own->isTrusted();
-    return {std::move(picture.color), denoiser.name(), isTrusted ? picture.error : std::nullopt};
+    if (replicas.size() < kLeastReplicas) {
+        CleanPicture picture = run(noisy, features, threads);
+        picture.whyUnstated = whyUnstatedFor(film, {});
+        return picture;
+    }
+    OidnDenoiser denoiser(library_, features, noisy, threads);
+    DenoisedPicture picture = denoise(replicas, denoiser, onProgress);
+    std::string whyUnstated = whyUnstatedFor(film, picture.error);
+    const bool isStated = whyUnstated.empty();
+    return {std::move(picture.color), denoiser.name(), isStated ? picture.error : std::nullopt,
+            std::move(whyUnstated)};
+}
+
+CleanPicture PictureDenoiser::run(const Image& noisy,
+                                  const std::optional<DenoiserFeatures>& features,
+                                  uint32_t threads) const {
+    OidnDenoiser denoiser(library_, features, noisy, threads);
+    return {denoiser.run(noisy), denoiser.name(), {}, ""};
 }
 
 } // namespace calotype

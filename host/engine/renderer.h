@@ -55,6 +55,7 @@ struct RenderResult {
     /// The error of the picture after denoising; none without it, or where nobody can state it: for
     /// fewer than 128 samples per pixel, or if the estimate in `totals` is not to be trusted.
     std::optional<DenoisedError> denoised;
+    std::string whyUnstated; ///< why a denoised picture has no such error
     /// The exposure of PNGs where DisplayTransform leaves it to the picture.
     std::optional<float> exposureStops;
     std::vector<std::string> warnings; ///< of the scene and of the render: complete sentences

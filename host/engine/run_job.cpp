@@ -69,7 +69,8 @@ public:
                           [&](const std::string& warning) { warn(warning); });
         const LayerList layers = neededLayers(job_.output.layers, job_.output.stages);
         const bool wantsHits = hasSource(layers, LayerSource::FirstHit);
-        const bool wantsFeatures = denoiser || hasSource(layers, LayerSource::Averaged);
+        const bool wantsFeatures =
+            (denoiser && !keeper.features()) || hasSource(layers, LayerSource::Averaged);
         const auto onStep = [&](const std::string& what, double done) { prepare(what, done); };
         const std::unique_ptr<RenderEngine> engine =
             makeEngine(device_, scene_, {settings_, wantsHits, wantsFeatures, onStep}, seconds_);
@@ -82,6 +83,8 @@ public:
         FeatureImage features;
         if (wantsFeatures)
             features = engine->features([&](double done) { prepare("finding features", done); });
+        if (denoiser && !keeper.features())
+            keeper.setFeatures(denoiserFeatures(features));
         const PictureWriter writer(job_.output, keeper.label(), hits, features, folders);
         if (callbacks_.onPrepared)
             callbacks_.onPrepared();
@@ -90,7 +93,7 @@ public:
         result_.plan = planFor(*session);
         std::optional<DenoisedGoal> denoisedGoal;
         if (denoiser && settings_.targetError)
-            denoisedGoal.emplace(*settings_.targetError, *denoiser, features,
+            denoisedGoal.emplace(*settings_.targetError, *denoiser, keeper.features(),
                                  device_.options().threads);
         result_.ending = render(*session, keeper, writer, denoisedGoal);
         session->error(); // of the final film, for the totals
@@ -102,7 +105,7 @@ public:
             failures.attempt([&] { keeper.save(*film_); });
         std::exception_ptr denoiserFailure;
         if (denoiser && session->totals().samplesPerPixel > 0)
-            denoiserFailure = denoisePicture(*denoiser, denoisedGoal, *session, features);
+            denoiserFailure = denoisePicture(*denoiser, denoisedGoal, *session, keeper.features());
         writeAll(*session, *engine, writer, failures);
         takePixels(*session);
         if (denoiserFailure) // after all that was rendered is written, without denoising
@@ -215,7 +218,7 @@ private:
     /// Not after a stop: denoising takes long. Returns why it failed, if it did.
     std::exception_ptr denoisePicture(const PictureDenoiser& denoiser,
                                       std::optional<DenoisedGoal>& goal, Session& session,
-                                      const FeatureImage& features) {
+                                      const std::optional<DenoiserFeatures>& features) {
         seconds_.denoise = goal ? goal->seconds() : 0.0;
         if (result_.ending == RenderEnding::Stopped) {
             warn("the picture is not denoised, because the render was stopped");
@@ -235,6 +238,7 @@ private:
         seconds_.denoise += secondsSince(before);
         result_.isDenoised = true;
         result_.denoised = clean_->error;
+        result_.whyUnstated = clean_->whyUnstated;
         return nullptr;
     }
 

@@ -42,6 +42,12 @@ nlohmann::ordered_json describeError(const std::optional<ErrorEstimate>& error) 
     return json;
 }
 
+void describeDenoisedError(const std::optional<DenoisedError>& error,
+                           nlohmann::ordered_json& json) {
+    json["denoised_error"] = error ? Json(error->relative) : Json();
+    json["denoised_bound"] = error ? Json(error->bound) : Json();
+}
+
 uint64_t peakMemoryBytes() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
@@ -59,8 +65,7 @@ std::string toJson(const RenderStatistics& statistics) {
     json["spp"] = totals.samplesPerPixel;
     json["ended_by"] = nameOf(ending);
     json["error"] = describeError(totals.error);
-    json["denoised_error"] = denoised ? Json(denoised->relative) : Json();
-    json["denoised_bound"] = denoised ? Json(denoised->bound) : Json();
+    describeDenoisedError(denoised, json);
     for (const Setting& setting : settingsTable())
         if ((setting.commands & kRenderCommand) && !json.contains(setting.name))
             json[setting.name] = setting.value(settings);

@@ -30,6 +30,9 @@ struct RenderStatistics {
 /// The numbers of the estimate, or null if there is none.
 nlohmann::ordered_json describeError(const std::optional<ErrorEstimate>& error);
 
+/// Adds `denoised_error` and `denoised_bound`, or null.
+void describeDenoisedError(const std::optional<DenoisedError>& error, nlohmann::ordered_json& json);
+
 /// Of the process so far.
 uint64_t peakMemoryBytes();
 

@@ -23,6 +23,7 @@
 #include "base/hexadecimal.h"
 #include "base/parallel_for.h"
 #include "base/read_file.h"
+#include "film/feature_chunks.h"
 #include "image/byte_order.h"
 
 // A film's file, all numbers little-endian:
@@ -36,6 +37,8 @@
 //         ...; in version 2 then R, G and B of all pixels for replica 0, 1, ...; numbers of 128
 //         bits in chunks of 65,536: the first bytes of all numbers of the chunk, then their second
 //         bytes, ...; compressed by zlib
+//         in version 2, if the description has their "feature_bytes": the features of denoisers
+//         (film/feature_chunks.h)
 namespace calotype {
 namespace {
 
@@ -133,13 +136,18 @@ uint32_t versionOf(const Film& film) {
     return film.detail() == ReplicaDetail::Color ? kVersionWithColors : kVersion;
 }
 
-Json describe(const FilmLabel& label, const Film& film, const std::vector<std::string>& chunks) {
+Json sizesOf(const std::vector<std::string>& chunks) {
+    Json sizes = Json::array();
+    for (const std::string& chunk : chunks)
+        sizes.push_back(chunk.size());
+    return sizes;
+}
+
+Json describe(const FilmLabel& label, const Film& film, const std::vector<std::string>& chunks,
+              const std::vector<std::string>& featureChunks) {
     Json blocks = Json::array();
     for (const BlockRange& range : film.blocks().ranges())
         blocks.push_back({range.begin, range.end});
-    Json chunkBytes = Json::array();
-    for (const std::string& chunk : chunks)
-        chunkBytes.push_back(chunk.size());
     const FilmLosses& losses = film.losses();
     Json description = {{"scene_hash", hexadecimal(label.sceneHash)},
                         {"settings", label.settings},
@@ -152,9 +160,11 @@ Json describe(const FilmLabel& label, const Film& film, const std::vector<std::s
                         {"cut_paths", losses.cutPaths},
                         {"non_finite_pixels", losses.nonFinitePixels},
                         {"overflowed_pixels", losses.overflowedPixels},
-                        {"chunk_bytes", chunkBytes}};
+                        {"chunk_bytes", sizesOf(chunks)}};
     if (!label.camera.empty())
         description["camera"] = label.camera;
+    if (!featureChunks.empty())
+        description["feature_bytes"] = sizesOf(featureChunks);
     return description;
 }
 
@@ -184,32 +194,35 @@ BlockRanges readBlocks(const Json& description) {
     return blocks;
 }
 
+/// The next chunks of the file, of these sizes; removes them from its rest. Throws if it is
+/// shorter.
+std::vector<std::string_view> nextChunks(const Json& sizes, std::string_view& rest) {
+    std::vector<std::string_view> chunks;
+    for (const Json& size : sizes) {
+        chunks.push_back(rest.substr(0, numberIn<uint64_t>(size, 0, rest.size())));
+        rest.remove_prefix(chunks.back().size());
+    }
+    return chunks;
+}
+
 /// Throws if the description and the chunks do not fit each other.
 KeptFilm readParts(const Json& description, std::string_view compressed, uint32_t version) {
     const auto width = numberIn<uint32_t>(description.at("width"), 1, kLargestPictureSide);
     const auto height = numberIn<uint32_t>(description.at("height"), 1, kLargestPictureSide);
-    std::vector<uint64_t> sizes;
-    for (const Json& size : description.at("chunk_bytes"))
-        sizes.push_back(numberIn<uint64_t>(size, 0, compressed.size()));
+    const size_t allBytes = compressed.size();
+    const auto chunks = nextChunks(description.at("chunk_bytes"), compressed);
+    const size_t given = allBytes - compressed.size();
+    const auto featureChunks =
+        nextChunks(description.value("feature_bytes", Json::array()), compressed);
     const size_t pixels = size_t{width} * height;
     const size_t ofColors = pixels * Film::kChannels;
     const size_t ofLuminances = pixels * shared::kReplicas;
     const size_t ofReplicaColors = version == kVersionWithColors ? ofColors * shared::kReplicas : 0;
     const auto chunksFor = [](size_t n) { return (n + kChunkNumbers - 1) / kChunkNumbers; };
-    if (sizes.size() != chunksFor(ofColors) + chunksFor(ofLuminances) + chunksFor(ofReplicaColors))
+    if (chunks.size() != chunksFor(ofColors) + chunksFor(ofLuminances) + chunksFor(ofReplicaColors))
         throw std::out_of_range("chunks");
-    std::vector<std::string_view> chunks;
-    for (const uint64_t size : sizes) {
-        if (size > compressed.size())
-            throw std::out_of_range("chunks");
-        chunks.push_back(compressed.substr(0, size));
-        compressed.remove_prefix(size);
-    }
     // zlib expands a byte to at most 1032. A larger claim is refused before memory is allocated.
     constexpr size_t kMostPerByte = 1032;
-    size_t given = 0;
-    for (const uint64_t size : sizes)
-        given += size;
     if ((ofColors + ofLuminances + ofReplicaColors) * kNumberBytes > kMostPerByte * given ||
         !compressed.empty())
         throw std::out_of_range("chunks");
@@ -238,7 +251,10 @@ KeptFilm readParts(const Json& description, std::string_view compressed, uint32_
     label.devices = description.at("devices");
     if (description.contains("camera")) // films of earlier programs lack it
         label.camera = description.at("camera");
-    return {label, Film(width, height, std::ldexp(1.0, exponent), std::move(sums))};
+    KeptFilm kept{label, Film(width, height, std::ldexp(1.0, exponent), std::move(sums))};
+    if (!featureChunks.empty() && version == kVersionWithColors)
+        kept.features = featuresFrom(featureChunks, width, height);
+    return kept;
 }
 
 } // namespace
@@ -248,7 +264,9 @@ std::string FilmLabel::setting(const std::string& name) const {
     return found == settings.end() ? "none" : found->second;
 }
 
-void writeFilm(const std::filesystem::path& path, const FilmLabel& label, const Film& film) {
+void writeFilm(const std::filesystem::path& path, const FilmLabel& label, const Film& film,
+               const std::optional<DenoiserFeatures>& features) {
+    CALOTYPE_CHECK_EQ(!features || film.detail() == ReplicaDetail::Color, true);
     const Film::Sums& sums = film.sums();
     const auto chunks = chunksOf(sums.colors, sums.luminances, sums.replicaColors);
     std::vector<std::string> compressed(chunks.size());
@@ -256,10 +274,12 @@ void writeFilm(const std::filesystem::path& path, const FilmLabel& label, const 
     parallelFor(0, chunks.size(), allCores(), [&](uint64_t i, uint32_t thread) {
         compressed[i] = compress(chunks[i], scratch[thread]);
     });
-    const std::string description = describe(label, film, compressed).dump();
+    const auto ofFeatures = features ? compressedChunks(*features) : std::vector<std::string>();
+    const std::string description = describe(label, film, compressed, ofFeatures).dump();
     // In pieces, since the chunks of a large picture take hundreds of megabytes.
     std::vector<std::string_view> pieces = {"", description};
     pieces.insert(pieces.end(), compressed.begin(), compressed.end());
+    pieces.insert(pieces.end(), ofFeatures.begin(), ofFeatures.end());
     std::string start(kMagic);
     append(start, versionOf(film));
     append(start, static_cast<uint32_t>(description.size()));
@@ -326,7 +346,8 @@ void requireSameOrigin(const std::filesystem::path& path, const KeptFilm& film,
         fail("another size");
     if (film.film.detail() != detail)
         fail(detail == ReplicaDetail::Color
-                 ? "a render without --denoise, and lacks what denoising needs"
+                 ? "a render without --denoise, and lacks the colours of replicas that denoising "
+                   "needs; render it with --denoise from the start, or go on without"
                  : "a render for denoising, and not one without --denoise");
 }
 

@@ -3,11 +3,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "film/film.h"
+#include "image/denoiser_features.h"
 
 namespace calotype {
 
@@ -27,12 +29,15 @@ struct FilmLabel {
 struct KeptFilm {
     FilmLabel label;
     Film film;
+    /// Of a film with the colours of replicas, so that it can be denoised without its scene.
+    std::optional<DenoiserFeatures> features = {};
 };
 
 /// Writes a film to a file, atomically. The same samples by the same devices give the same bytes,
 /// in whatever order they were added. A film with the colours of replicas has version 2 of the
 /// format, any other version 1. Throws OutputError.
-void writeFilm(const std::filesystem::path& path, const FilmLabel& label, const Film& film);
+void writeFilm(const std::filesystem::path& path, const FilmLabel& label, const Film& film,
+               const std::optional<DenoiserFeatures>& features = {});
 
 /// Throws SceneError with the path and the problem: a file that cannot be read, is not a film, has
 /// an unknown version, is cut off, or does not match its checksum.

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -66,9 +67,11 @@ Imf::PixelType typeOf(const Channel& channel) {
     return std::holds_alternative<std::vector<uint32_t>>(channel.pixels) ? Imf::UINT : Imf::FLOAT;
 }
 
+constexpr std::string_view kPrefix = "calotype:";
+
 void insertMetadata(Imf::Header& header, const std::vector<Attribute>& metadata) {
     for (const Attribute& attribute : metadata) {
-        const std::string name = "calotype:" + attribute.name;
+        const std::string name = std::string(kPrefix) + attribute.name;
         if (const auto* text = std::get_if<std::string>(&attribute.value))
             header.insert(name, Imf::StringAttribute(*text));
         else if (const auto* integer = std::get_if<int32_t>(&attribute.value))
@@ -76,6 +79,39 @@ void insertMetadata(Imf::Header& header, const std::vector<Attribute>& metadata)
         else
             header.insert(name, Imf::DoubleAttribute(std::get<double>(attribute.value)));
     }
+}
+
+/// The attributes that insertMetadata writes.
+std::vector<Attribute> metadataOf(const Imf::Header& header) {
+    std::vector<Attribute> metadata;
+    for (auto i = header.begin(); i != header.end(); ++i) {
+        const std::string_view name = i.name();
+        if (!name.starts_with(kPrefix))
+            continue;
+        const auto add = [&](const auto* attribute) {
+            if (attribute)
+                metadata.push_back({std::string(name.substr(kPrefix.size())), attribute->value()});
+        };
+        add(dynamic_cast<const Imf::StringAttribute*>(&i.attribute()));
+        add(dynamic_cast<const Imf::IntAttribute*>(&i.attribute()));
+        add(dynamic_cast<const Imf::DoubleAttribute*>(&i.attribute()));
+    }
+    return metadata;
+}
+
+std::optional<CropPlacement> cropOf(const Imf::Header& header) {
+    const Imath::Box2i& all = header.displayWindow();
+    const Imath::Box2i& part = header.dataWindow();
+    const bool isInside = all.min.x <= part.min.x && all.min.y <= part.min.y &&
+                          part.max.x <= all.max.x && part.max.y <= all.max.y;
+    const auto size = [](int first, int last) { return int64_t{last} - first + 1; };
+    const int64_t width = size(all.min.x, all.max.x);
+    const int64_t height = size(all.min.y, all.max.y);
+    if (!isInside || all == part || std::max(width, height) > kLargestPictureSide)
+        return std::nullopt;
+    return CropPlacement{static_cast<uint32_t>(part.min.x - all.min.x),
+                         static_cast<uint32_t>(part.min.y - all.min.y),
+                         static_cast<uint32_t>(width), static_cast<uint32_t>(height)};
 }
 
 Imf::Header describe(const Picture& picture) {
@@ -162,7 +198,7 @@ void resize(Picture& picture, size_t pixels) {
         std::visit([&](auto& values) { values.resize(pixels); }, channel.pixels);
 }
 
-Picture readPicture(const std::filesystem::path& path, bool wantsOtherChannels) {
+Picture readPicture(const std::filesystem::path& path, bool wantsAll) {
     const ImageSize size = checkExr(path);
     Imf::InputFile file(path.c_str());
     requireColourChannels(file.header(), path.string());
@@ -170,8 +206,11 @@ Picture readPicture(const std::filesystem::path& path, bool wantsOtherChannels) 
     Picture picture;
     picture.color.width = size.width;
     picture.color.height = size.height;
-    if (wantsOtherChannels)
+    if (wantsAll) {
         picture.channels = otherChannels(file.header());
+        picture.metadata = metadataOf(file.header());
+        picture.crop = cropOf(file.header());
+    }
     // Memory grows with the decoded rows, because a small file can claim any size.
     constexpr int kRows = 64; // 50 MB of colour at most; whole tiles and blocks of most files
     for (int y = window.min.y; y <= window.max.y; y += kRows) {

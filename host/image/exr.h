@@ -16,8 +16,9 @@ void writeExr(const std::filesystem::path& path, const Picture& picture);
 /// cannot be read, is damaged, or lacks one of the three.
 Image readExr(const std::filesystem::path& path);
 
-/// Reads also all other channels with one value per pixel: integers as integers, half and float as
-/// floats. Does not read the metadata and the crop.
+/// Reads also all other channels with one value per pixel, integers as integers, half and float as
+/// floats; the attributes that writeExr writes; and the crop, if the data window is a part of the
+/// display window.
 Picture readExrPicture(const std::filesystem::path& path);
 
 } // namespace calotype

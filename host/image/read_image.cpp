@@ -78,6 +78,11 @@ bool isPfm(std::string_view file) {
 
 } // namespace
 
+std::string signatureOf(const std::filesystem::path& path) {
+    std::ifstream file = openRegularFile(path);
+    return readBytes(file, kSignature);
+}
+
 Image readImage(const std::filesystem::path& path, uint64_t mostPixels) {
     const std::string where = path.string();
     std::ifstream file = openRegularFile(path);

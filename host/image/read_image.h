@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "image/image.h"
 
@@ -14,5 +15,9 @@ inline constexpr uint64_t kMostPicturePixels = uint64_t{1} << 28;
 /// alpha and other channels. Throws SceneError for a file that is missing, damaged, of another
 /// format, or that has more than 65535 pixels on a side or `mostPixels` in all.
 Image readImage(const std::filesystem::path& path, uint64_t mostPixels = kMostPicturePixels);
+
+/// The first bytes of a file, by which its format is recognised. Throws SceneError if it cannot be
+/// opened, or is no regular file.
+std::string signatureOf(const std::filesystem::path& path);
 
 } // namespace calotype

@@ -51,7 +51,7 @@ TEST(HelpTest, EveryCommandHasAnExampleOfItself) {
         EXPECT_NE(page.find("calotype " + name + " ", example), std::string::npos) << page;
         ++count;
     }
-    EXPECT_EQ(count, 9u);
+    EXPECT_EQ(count, 10u);
 }
 
 } // namespace

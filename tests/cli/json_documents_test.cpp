@@ -13,6 +13,7 @@
 #include "cli/cli_test.h"
 #include "settings/settings_table.h"
 #include "support/paths.h"
+#include "support/test_denoiser.h"
 
 namespace calotype::test {
 namespace {
@@ -102,6 +103,10 @@ std::map<std::string, Json> writeDocuments() {
         runProgram({"render", scene, "--spp", "128", "-o", picture, "--film", film, "--stats",
                     stats, "--progress", "json"});
     EXPECT_EQ(render.exitCode, 0) << render.errors;
+    const std::string denoised = folder / "denoise.json";
+    const ProgramResult denoise = runProgram(
+        {"denoise", picture, "-o", folder / "b.exr", "--stats", denoised}, withFakeDenoiser());
+    EXPECT_EQ(denoise.exitCode, 0) << denoise.errors;
     const ProgramResult measured =
         runProgram({"bench", scene, "--spp", "1", "--repeats", "1", "--json", bench});
     EXPECT_EQ(measured.exitCode, 0) << measured.errors;
@@ -113,6 +118,7 @@ std::map<std::string, Json> writeDocuments() {
             {"`calotype info FILM", outputOf({"info", film, "--json"})},
             {"`calotype compare", outputOf({"compare", picture, picture, "--json"})},
             {"`calotype render --stats", Json::parse(readText(stats))},
+            {"`calotype denoise", Json::parse(readText(denoised))},
             {"`calotype render --progress", lastProgressLine(render.errors)},
             {"`calotype bench", Json::parse(readText(bench))},
             {"`calotype study", Json::parse(readText(folder / "study/study.json"))}};

@@ -33,8 +33,9 @@ void checkFilm(const KeptFilm& kept, const ScratchFolder& folder) {
     CALOTYPE_CHECK_EQ(film.picture().pixels.size(), film.pixelCount());
     (void)estimateError(film);
     const std::string path = folder.write("again", "");
-    writeFilm(path, kept.label, film);
+    writeFilm(path, kept.label, film, kept.features);
     const KeptFilm again = readFilm(path);
+    CALOTYPE_CHECK_EQ(again.features.has_value(), kept.features.has_value());
     CALOTYPE_CHECK_EQ(again.film.width(), film.width());
     CALOTYPE_CHECK_EQ(again.film.height(), film.height());
     CALOTYPE_CHECK_EQ(again.film.unit(), film.unit());

@@ -2,10 +2,12 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 
 #include "base/error.h"
 #include "denoise/oidn_library.h"
 #include "support/paths.h"
+#include "support/program.h"
 
 namespace calotype::test {
 
@@ -18,6 +20,15 @@ inline std::unique_ptr<const OidnLibrary> testDenoiser() {
     } catch (const SettingError&) {
         return nullptr;
     }
+}
+
+/// Options of a program whose denoiser is the library of tests/support/denoiser. `told` is empty,
+/// or what it shall do: "fails" or "slow".
+inline ProgramOptions withFakeDenoiser(const std::string& told = "") {
+    ProgramOptions options;
+    options.environment["CALOTYPE_OIDN"] = kFakeDenoiser;
+    options.environment["FAKE_DENOISER"] = told;
+    return options;
 }
 
 } // namespace calotype::test

@@ -121,6 +121,43 @@ TEST_F(FilmFileTest, KeepsTheColorsOfReplicas) {
               std::string::npos);
 }
 
+DenoiserFeatures someFeatures(uint32_t width, uint32_t height) {
+    DenoiserFeatures features{Image(width, height), Image(width, height)};
+    for (size_t i = 0; i < features.albedo.pixels.size(); ++i) {
+        const auto x = static_cast<float>(i);
+        features.albedo.pixels[i] = {0.5f + 0.5f * std::sin(x), 0.0f, 1.0f / (1.0f + x)};
+        features.normal.pixels[i] = {std::sin(x), -std::cos(x), 1e-9f * x};
+    }
+    return features;
+}
+
+// 120,000 pixels have 360,000 numbers of an albedo, more than a chunk.
+TEST_F(FilmFileTest, KeepsTheFeaturesOfDenoisers) {
+    for (const auto& [width, height] : {std::pair{1u, 1u}, {400u, 300u}}) {
+        const DenoiserFeatures features = someFeatures(width, height);
+        const Film film(width, height, 0.25, ReplicaDetail::Color);
+        writeFilm(path_, someLabel(), film, features);
+        const KeptFilm kept = readFilm(path_);
+        ASSERT_TRUE(kept.features);
+        EXPECT_EQ(kept.features->albedo.pixels, features.albedo.pixels);
+        EXPECT_EQ(kept.features->normal.pixels, features.normal.pixels);
+        EXPECT_TRUE(kept.features->areMeans);
+        EXPECT_TRUE(kept.film.sums() == film.sums());
+        writeFilm(path_, someLabel(), film);
+        EXPECT_FALSE(readFilm(path_).features);
+    }
+}
+
+TEST(DenoiserFeaturesTest, HaveAnOrder) {
+    const DenoiserFeatures features = someFeatures(4, 3);
+    EXPECT_FALSE(isBefore(features, features));
+    for (const bool isOfAlbedo : {true, false}) {
+        DenoiserFeatures other = features;
+        (isOfAlbedo ? other.albedo : other.normal).pixels[7].y += 0.25f;
+        EXPECT_NE(isBefore(features, other), isBefore(other, features));
+    }
+}
+
 // So that older programs read it.
 TEST_F(FilmFileTest, OfLuminancesIsOfVersionOne) {
     writeFilm(path_, someLabel(), filmOf(3, 2, {0}));
@@ -204,6 +241,20 @@ TEST_F(FilmFileTest, RefusesDescriptionsThatMakeNoSense) {
           {"\"devices\":[", "\"devices\":7,\"d\":["}}) {
         const std::string path =
             folder_.write("odd.film", withDescription(readText(path_), from, to));
+        EXPECT_NE(errorOf([&] { readFilm(path); }).find("makes no sense"), std::string::npos) << to;
+    }
+}
+
+TEST_F(FilmFileTest, RefusesFeaturesOfAnotherSize) {
+    writeFilm(path_, someLabel(), Film(30, 20, 0.25, ReplicaDetail::Color), someFeatures(30, 20));
+    const std::string bytes = readText(path_);
+    const size_t at = bytes.find("\"feature_bytes\":[");
+    ASSERT_NE(at, std::string::npos);
+    const std::string list = bytes.substr(at, bytes.find(']', at) + 1 - at);
+    const std::string first = list.substr(0, list.find(',')) + "]";
+    for (const std::string& to :
+         {first, std::string("\"feature_bytes\":[0,0]"), list.substr(0, list.size() - 1) + ",0]"}) {
+        const std::string path = folder_.write("odd.film", withDescription(bytes, list, to));
         EXPECT_NE(errorOf([&] { readFilm(path); }).find("makes no sense"), std::string::npos) << to;
     }
 }

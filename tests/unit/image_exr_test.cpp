@@ -75,6 +75,28 @@ TEST(ExrTest, HeaderSaysHowThePictureCameAbout) {
         EXPECT_EQ(header.channels()[name].type, Imf::FLOAT) << name;
 }
 
+TEST(ExrTest, MetadataAndCropComeBack) {
+    Picture picture{gradient(4, 3)};
+    picture.metadata = {{"denoisedError", 0.125}, {"spp", 64}, {"version", "1.2.3"}};
+    picture.crop = CropPlacement{5, 7, 640, 480};
+    const ScratchFolder folder;
+    writeExr(folder / "a.exr", picture);
+    const Picture read = readExrPicture(folder / "a.exr");
+    ASSERT_EQ(read.metadata.size(), 3u);
+    for (size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(read.metadata[i].name, picture.metadata[i].name);
+        EXPECT_EQ(read.metadata[i].value, picture.metadata[i].value);
+    }
+    ASSERT_TRUE(read.crop);
+    EXPECT_EQ(read.crop->x, 5u);
+    EXPECT_EQ(read.crop->y, 7u);
+    EXPECT_EQ(read.crop->filmWidth, 640u);
+    EXPECT_EQ(read.crop->filmHeight, 480u);
+    picture.crop.reset();
+    writeExr(folder / "a.exr", picture);
+    EXPECT_FALSE(readExrPicture(folder / "a.exr").crop);
+}
+
 TEST(ExrTest, CropLiesWhereItBelongs) {
     Picture picture{gradient(4, 3)};
     picture.crop = CropPlacement{5, 7, 640, 480};

@@ -1,0 +1,60 @@
+#include "engine/film_picture.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/error.h"
+#include "engine/exr_metadata.h"
+#include "film/develop.h"
+
+namespace calotype {
+
+CleanPicture denoiseFilm(const PictureDenoiser& denoiser, const std::string& path,
+                         const KeptFilm& kept, uint32_t threads,
+                         const PictureDenoiser::OnProgress& onProgress) {
+    if (kept.film.detail() != ReplicaDetail::Color)
+        throw SceneError(
+            path, "the film cannot be denoised: it was rendered without --denoise, and lacks the "
+                  "colours of replicas; render it with --denoise from the start, or make an .exr "
+                  "of it with calotype merge and denoise that, whose error is not stated then");
+    if (kept.film.blocks().empty())
+        throw SceneError(path, "the film cannot be denoised: it has no samples; render more");
+    return denoiser.run(kept.film, kept.film.picture(), kept.features, threads, onProgress);
+}
+
+std::string featureWarning(const std::string& path, const KeptFilm& kept) {
+    if (kept.features || kept.film.detail() != ReplicaDetail::Color)
+        return "";
+    return path +
+           " lacks the albedo and normals of its pixels, so that edges and textures may be "
+           "lost; calotype render SCENE --film " +
+           path + " --denoise oidn -o FILE finds them";
+}
+
+Picture pictureOf(const KeptFilm& kept, const LayerList& layers, const StageList& stages,
+                  const std::optional<CleanPicture>& clean) {
+    Picture picture = develop(clean ? clean->color : kept.film.picture(), layers, stages,
+                              [&](const Layer& layer) { return channelsOf(layer, kept.film); });
+    describe(picture, kept.label, kept.film.samplesPerPixel());
+    if (clean)
+        describeClean(*clean, kept.film.picture(), picture);
+    return picture;
+}
+
+void describeClean(const CleanPicture& clean, const Image& noisy, Picture& picture) {
+    for (int i = 0; i < 3; ++i) {
+        std::vector<float> values;
+        values.reserve(noisy.pixels.size());
+        for (const glm::vec3& pixel : noisy.pixels)
+            values.push_back(pixel[i]);
+        picture.channels.push_back({std::string("noisy.") + "RGB"[i], std::move(values)});
+    }
+    picture.metadata.push_back({"denoiser", clean.denoiser});
+    if (clean.error) {
+        picture.metadata.push_back({"denoisedError", clean.error->relative});
+        picture.metadata.push_back({"denoisedBound", clean.error->bound});
+    }
+}
+
+} // namespace calotype
