@@ -14,6 +14,8 @@ namespace {
 
 bool isExr(const std::string& path) { return imageFormatOf(path) == ImageFormat::Exr; }
 
+bool isPicture(const std::string& path) { return imageFormatOf(path).has_value(); }
+
 void requireExrFor(const LayerList& layers, const std::vector<std::string>& outputs) {
     if (!layers.empty() && std::ranges::none_of(outputs, isExr))
         throw UsageError("--aov writes layers of EXR files, and no output is one; add -o FILE.exr");
@@ -77,7 +79,7 @@ OutputClaims checkOutputs(const MergeOptions& options) {
     OutputClaims claims;
     claims.reserve(options.films);
     for (const std::string& path : options.outputs)
-        if (imageFormatOf(path))
+        if (isPicture(path))
             claims.claimPicture(path);
         else if (const auto extension = std::filesystem::path(path).extension();
                  extension.empty() || extension == ".film")
@@ -87,6 +89,10 @@ OutputClaims checkOutputs(const MergeOptions& options) {
                              "' is neither a film (.film, or no extension) nor a "
                              "picture (" +
                              std::string(kImageExtensions) + ")");
+    RenderSettings settings;
+    options.settings.applyTo(settings);
+    if (settings.denoiser != DenoiserKind::Off && std::ranges::none_of(options.outputs, isPicture))
+        throw UsageError("--denoise is for pictures, and no output is one; add -o FILE.exr");
     requireExrFor(options.layers, options.outputs);
     if (hasSource(options.layers, LayerSource::FirstHit) ||
         hasSource(options.layers, LayerSource::Averaged))

@@ -109,6 +109,8 @@ CLI::App& addMergeCommand(CLI::App& app, MergeOptions& options) {
     addLayerOption(command, options.layers, layersOfFilms());
     addStageOptions(command, options.stages);
     addDisplayOptions(command, options.display);
+    addSettings(command, kMergeCommand, options.settings);
+    addThreadsOption(command, options.threads);
     command.add_flag("--json", options.asJson, "Print what the films hold as JSON (docs/json.md)");
     command.footer("Prints which samples the films hold, and which are missing in between.\n\n"
                    "Example: calotype merge first.film second.film -o both.film -o both.exr");

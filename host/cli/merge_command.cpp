@@ -1,13 +1,20 @@
 #include <cinttypes>
 #include <cstdio>
+#include <memory>
+#include <optional>
 
 #include <nlohmann/json.hpp>
 
 #include "base/output_failures.h"
 #include "cli/check_outputs.h"
 #include "cli/commands.h"
+#include "cli/denoiser_library.h"
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
+#include "cli/interrupt_deadline.h"
+#include "cli/picture_text.h"
+#include "cli/progress.h"
+#include "cli/read_scene.h"
 #include "engine/film_json.h"
 #include "engine/film_picture.h"
 #include "engine/json_document.h"
@@ -39,11 +46,39 @@ bool holdsRequired(const Film& film, const BlockRange& required) {
     return missing.empty();
 }
 
+/// The denoiser that the options name; null: off.
+std::unique_ptr<const PictureDenoiser> denoiserOf(const MergeOptions& options) {
+    RenderSettings settings;
+    options.settings.applyTo(settings);
+    if (settings.denoiser == DenoiserKind::Off)
+        return nullptr;
+    return std::make_unique<const PictureDenoiser>(settings.denoiser, denoiserLibrary());
+}
+
+/// Denoises what was joined, and prints the error; on standard error beside JSON.
+CleanPicture denoised(const PictureDenoiser& denoiser, const MergeOptions& options,
+                      const KeptFilm& joined) {
+    if (const auto warning = featureWarning(options.films.front(), joined); !warning.empty())
+        printWarning(warning);
+    const InterruptDeadline deadline(kInterrupted);
+    Progress progress(ProgressStyle::Text);
+    CleanPicture clean =
+        denoiseFilm(denoiser, options.films.front(), joined, options.threads, [&](double done) {
+            throwIfInterrupted(kInterrupted);
+            progress.step("denoising", done);
+        });
+    progress.clear();
+    std::fprintf(options.asJson ? stderr : stdout, "denoised  by %s, %s\n", clean.denoiser.c_str(),
+                 errorText(clean).c_str());
+    return clean;
+}
+
 } // namespace
 
 int mergeCommand(const MergeOptions& options) {
     catchInterrupts();
     const OutputClaims claims = checkOutputs(options);
+    const auto denoiser = denoiserOf(options);
     const KeptFilm joined = mergeFilms(options.films, [] { throwIfInterrupted(kInterrupted); });
     throwIfInterrupted(kInterrupted);
     if (options.asJson)
@@ -55,11 +90,14 @@ int mergeCommand(const MergeOptions& options) {
     for (const std::string& path : options.outputs)
         if (!imageFormatOf(path) && !options.overwrites)
             requireNoLess(path, joined);
+    std::optional<CleanPicture> clean;
+    if (denoiser)
+        clean = denoised(*denoiser, options, joined);
     OutputFailures failures;
     for (const std::string& path : options.outputs)
         failures.attempt([&] {
             if (imageFormatOf(path))
-                writePicture(path, pictureOf(joined, options.layers, options.stages, {}),
+                writePicture(path, pictureOf(joined, options.layers, options.stages, clean),
                              options.display);
             else
                 writeFilm(path, joined.label, joined.film, joined.features);

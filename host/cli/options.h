@@ -73,6 +73,8 @@ struct MergeOptions {
     DisplayTransform display;
     LayerList layers; ///< of the EXR outputs, beside the picture
     StageList stages;
+    GivenSettings settings;
+    uint32_t threads = 0;               ///< of the denoiser; 0: all cores
     std::optional<BlockRange> required; ///< that the films must hold
     bool overwrites = false;            ///< replaces an existing film also by one of fewer samples
     bool asJson = false;                ///< print what the joined film holds as JSON

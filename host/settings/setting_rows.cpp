@@ -78,7 +78,8 @@ void addPicture(std::vector<Setting>& rows) {
     rows.push_back(choice({.name = "denoise",
                            .help = "Remove the noise of the finished picture, and state its error: "
                                    "off (default), or oidn (Open Image Denoise 2)",
-                           .group = SettingGroup::Picture},
+                           .group = SettingGroup::Picture,
+                           .commands = kRenderCommand | kMergeCommand},
                           kDenoisers, [](auto& settings) -> auto& { return settings.denoiser; }));
 }
 

@@ -24,6 +24,7 @@ enum SettingCommand : uint32_t {
     kStudyCommand = 2,
     kBenchCommand = 4,
     kInfoCommand = 8,
+    kMergeCommand = 16,
 };
 
 /// One row of the table of settings. Command line, help, film labels, metadata, statistics, study

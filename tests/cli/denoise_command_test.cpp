@@ -75,6 +75,40 @@ TEST_F(DenoiseCommandTest, AFilmGivesThePictureOfItsRender) {
     EXPECT_NE(result.errors.find(" %), "), result.errors.find("(at most ")) << result.errors;
 }
 
+TEST_F(DenoiseCommandTest, MergeDenoises) {
+    render({"--spp", "128", "--denoise", "oidn", "--film", film_, "-o", picture_});
+    ASSERT_EQ(run({"merge", film_, "--denoise", "off", "-o", output_}).exitCode, 0);
+    EXPECT_EQ(readExrPicture(output_).channels.size(), 0u);
+    const ProgramResult result = run({"merge", film_, "--denoise", "oidn", "-o", output_});
+    ASSERT_EQ(result.exitCode, 0) << result.errors;
+    EXPECT_TRUE(readText(output_) == readText(picture_));
+    EXPECT_EQ(result.errors, "");
+    EXPECT_NE(result.output.find("denoised  by Open Image Denoise 2.0.0, error "),
+              std::string::npos)
+        << result.output;
+    const ProgramResult asJson =
+        run({"merge", film_, "--denoise", "oidn", "-o", output_, "--json"});
+    EXPECT_EQ(nlohmann::json::parse(asJson.output)["can_denoise"], true);
+    EXPECT_NE(asJson.errors.find("denoised  by"), std::string::npos) << asJson.errors;
+}
+
+TEST_F(DenoiseCommandTest, MergeRefusesWhatCannotBeDenoised) {
+    const std::string plain = folder_ / "plain.film";
+    render({"--samples", "0:16", "--film", plain});
+    render({"--samples", "16:32", "--denoise", "oidn", "--film", film_});
+    expectFailure(run({"merge", plain, "--denoise", "oidn", "-o", output_}), 3,
+                  "with --denoise from the start");
+    expectFailure(run({"merge", film_, plain, "--denoise", "oidn", "-o", output_}), 3,
+                  "with --denoise from the start");
+    expectFailure(run({"merge", film_, "--denoise", "oidn", "-o", folder_ / "b.film"}), 2,
+                  "add -o FILE.exr");
+    ProgramOptions nowhere;
+    nowhere.environment["CALOTYPE_OIDN"] = "/nowhere";
+    expectFailure(runProgram({"merge", film_, "--denoise", "oidn", "-o", output_}, nowhere), 2,
+                  "--denoise needs Open Image Denoise 2");
+    EXPECT_EQ(std::ranges::count(folder_.names(), "out.exr"), 0);
+}
+
 // Parts of a film, joined, are the film of one render, with what denoising needs.
 TEST_F(DenoiseCommandTest, JoinedFilmsAreDenoisedAsOne) {
     render({"--spp", "32", "--denoise", "oidn", "--film", film_});

@@ -20,7 +20,8 @@ TEST(HelpTest, EveryCommandHasItsSettingsByGroup) {
     const std::pair<const char*, SettingCommand> commands[] = {{"render", kRenderCommand},
                                                                {"study", kStudyCommand},
                                                                {"bench", kBenchCommand},
-                                                               {"info", kInfoCommand}};
+                                                               {"info", kInfoCommand},
+                                                               {"merge", kMergeCommand}};
     for (const auto& [command, bit] : commands) {
         SCOPED_TRACE(command);
         const std::string help = runProgram({command, "--help"}).output;
