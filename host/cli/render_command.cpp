@@ -68,7 +68,7 @@ public:
         RenderJob job = makeJob(options_, renderer);
         job.start = start_;
         job.loadSeconds = loadSeconds;
-        const RenderResult result = renderer.render(job, callbacks());
+        const RenderResult result = render(renderer, job);
         progress_->clear();
         progress_->finished(result.totals);
         reportRender(options_, result);
@@ -86,6 +86,18 @@ private:
                              throwIfInterrupted();
                              progress_->step(what, done);
                          });
+    }
+
+    RenderResult render(Renderer& renderer, const RenderJob& job) {
+        try {
+            return renderer.render(job, callbacks());
+        } catch (const SettingError& error) {
+            if (error.setting() != "denoise" || options_.settings.has("denoise"))
+                throw;
+            throw SettingError("denoise", error.problem() +
+                                              "; the scene asks for it, and --denoise "
+                                              "off renders without");
+        }
     }
 
     RenderCallbacks callbacks() {

@@ -46,6 +46,7 @@ RenderSettings defaultSettings(const Scene& scene) {
     settings.samplesPerPixel = scene.render.samplesPerPixel;
     settings.maxBounces = scene.render.maxBounces;
     settings.seed = scene.render.seed;
+    settings.denoiser = scene.render.denoiser;
     return settings;
 }
 

@@ -11,6 +11,7 @@
 
 #include "math/rigid_transform.h"
 #include "scene/texture.h"
+#include "settings/denoiser_kind.h"
 
 /// The scene of the user, checked and resolved: metres, radians, linear Rec. 709, double precision,
 /// all transforms applied. Independent of devices.
@@ -45,6 +46,7 @@ struct RenderDefaults {
     uint32_t samplesPerPixel = 64;
     uint32_t maxBounces = 4; ///< scattering events along a path; 0 shows emitters only
     uint32_t seed = 0;
+    DenoiserKind denoiser = DenoiserKind::Off;
 };
 
 enum class MaterialType : uint8_t { Diffuse, Metal, Nonmetal, BlinnPhong, Dielectric };

@@ -77,9 +77,11 @@ void addPicture(std::vector<Setting>& rows) {
                                                          named(DenoiserKind::Oidn)};
     rows.push_back(choice({.name = "denoise",
                            .help = "Remove the noise of the finished picture, and state its error: "
-                                   "off (default), or oidn (Open Image Denoise 2)",
+                                   "off (default, unless the scene says otherwise), or oidn (Open "
+                                   "Image Denoise 2)",
                            .group = SettingGroup::Picture,
-                           .commands = kRenderCommand | kMergeCommand},
+                           .commands = kRenderCommand | kMergeCommand,
+                           .isOfScene = true},
                           kDenoisers, [](auto& settings) -> auto& { return settings.denoiser; }));
 }
 

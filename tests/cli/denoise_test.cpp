@@ -39,6 +39,29 @@ TEST_F(DenoiseTest, DoesNotGoWithAdaptiveSampling) {
     expectFailure(render({"-o", picture_, "--adaptive"}), 2, "--adaptive");
 }
 
+// The scene's choice, which the option overrides.
+TEST_F(DenoiseTest, TheSceneCanAskForIt) {
+    const std::vector<std::string> arguments = {
+        "render", scene_, "-o", picture_, "--stats", stats_, "--set", "/render/denoise=\"oidn\""};
+    const auto with = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> all = arguments;
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    };
+    ASSERT_EQ(runProgram(arguments, withFakeDenoiser()).exitCode, 0);
+    EXPECT_EQ(statistics()["denoise"], "oidn");
+    EXPECT_EQ(readExrPicture(picture_).channels.size(), 3u);
+    ProgramOptions nowhere;
+    nowhere.environment["CALOTYPE_OIDN"] = "/nowhere";
+    ASSERT_EQ(runProgram(with({"--denoise", "off"}), nowhere).exitCode, 0);
+    EXPECT_EQ(statistics()["denoise"], "off");
+    EXPECT_EQ(readExrPicture(picture_).channels.size(), 0u);
+    expectFailure(runProgram(arguments, nowhere), 2, "--denoise off renders without");
+    expectFailure(runProgram(with({"--adaptive"}), withFakeDenoiser()), 2, "--denoise off");
+    expectFailure(runProgram({"render", scene_, "-o", picture_, "--set", "/render/denoise=1"}), 3,
+                  "/render/denoise");
+}
+
 /// Tests of the denoised picture are skipped where the library is not installed.
 class DenoisedPictureTest : public DenoiseTest {
 protected:
@@ -106,7 +129,8 @@ TEST_F(DenoisedPictureTest, StatesNothingOfTooFewSamples) {
         const ProgramResult result = render({"-o", picture_, "--spp", samples, "--stats", stats_});
         ASSERT_EQ(result.exitCode, 0) << result.errors;
         EXPECT_TRUE(statistics()["denoised_error"].is_null()) << samples;
-        EXPECT_NE(result.errors.find("denoised (error not stated: too few samples to tell"), std::string::npos)
+        EXPECT_NE(result.errors.find("denoised (error not stated: too few samples to tell"),
+                  std::string::npos)
             << result.errors;
     }
 }

@@ -10,6 +10,10 @@ namespace {
 /// In the order of FilmFilter.
 const std::array<std::string, 4> kFilters = {"box", "tent", "gaussian", "blackman-harris"};
 
+/// In the order of DenoiserKind.
+const std::array<std::string, 2> kDenoisers = {nameOf(DenoiserKind::Off),
+                                               nameOf(DenoiserKind::Oidn)};
+
 JsonKey wholeKey(const char* name, const ranges::WholeRange& range, uint32_t otherwise,
                  const char* description) {
     return JsonKey(name, wholeNumberType(range), description)
@@ -45,6 +49,9 @@ const JsonObjectType& renderObject() {
                      "Scattering events allowed along a path: 0 shows emitters only, 1 is direct "
                      "light. Mitsuba's max_depth is this plus one."),
             wholeKey("seed", ranges::kSeed, otherwise.seed, "Chooses the random numbers."),
+            JsonKey("denoise", choiceType(kDenoisers),
+                    "What removes the noise of the finished picture: oidn is Open Image Denoise 2.")
+                .orElseJson("\"off\""),
         },
         {},
         "Defaults of options of the command line."};
@@ -76,6 +83,7 @@ RenderDefaults readRender(const JsonValue& value) {
     render.samplesPerPixel = wholeNumber(object, "spp", render.samplesPerPixel);
     render.maxBounces = wholeNumber(object, "max_bounces", render.maxBounces);
     render.seed = wholeNumber(object, "seed", render.seed);
+    render.denoiser = static_cast<DenoiserKind>(object.choice("denoise", kDenoisers, 0));
     return render;
 }
 
