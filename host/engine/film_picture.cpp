@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "engine/exr_metadata.h"
 #include "film/develop.h"
+#include "image/denoised_mark.h"
 
 namespace calotype {
 
@@ -50,11 +51,12 @@ void describeClean(const CleanPicture& clean, const Image& noisy, Picture& pictu
             values.push_back(pixel[i]);
         picture.channels.push_back({std::string("noisy.") + "RGB"[i], std::move(values)});
     }
-    picture.metadata.push_back({"denoiser", clean.denoiser});
+    DenoisedMark mark{clean.denoiser, {}, {}};
     if (clean.error) {
-        picture.metadata.push_back({"denoisedError", clean.error->relative});
-        picture.metadata.push_back({"denoisedBound", clean.error->bound});
+        mark.error = clean.error->relative;
+        mark.bound = clean.error->bound;
     }
+    addMark(mark, picture.metadata);
 }
 
 } // namespace calotype

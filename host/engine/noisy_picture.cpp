@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "base/file_kind.h"
 #include "engine/film_picture.h"
+#include "image/denoised_mark.h"
 #include "image/exr.h"
 #include "image/exr_check.h"
 #include "image/layers.h"
@@ -21,12 +22,6 @@ namespace calotype {
 namespace {
 
 const std::vector<std::string> kNoisyChannels = {"noisy.R", "noisy.G", "noisy.B"};
-const std::vector<std::string> kDenoiserAttributes = {"denoiser", "denoisedError", "denoisedBound"};
-
-template <typename Text>
-bool contains(const std::vector<std::string>& names, const Text& name) {
-    return std::ranges::find(names, name) != names.end();
-}
 
 void requireExr(const std::filesystem::path& path) {
     const std::string signature = signatureOf(path);
@@ -92,18 +87,16 @@ void findFeatures(NoisyPicture& noisy, const std::string& path) {
 /// Takes the layer "noisy" for the colour if there is one, and removes what an earlier denoiser
 /// left.
 void undoDenoising(Picture& picture, const std::string& path) {
-    const auto isOfDenoiser = [](const Attribute& attribute) {
-        return contains(kDenoiserAttributes, attribute.name);
-    };
     auto noisy = imageOf(picture, kNoisyChannels);
-    if (!noisy && std::ranges::any_of(picture.metadata, isOfDenoiser))
+    if (!noisy && markOf(picture.metadata))
         throw SceneError(path, "the picture is denoised already, and has no layer noisy with its "
                                "samples; denoise the file that calotype wrote, or the film");
     if (noisy)
         picture.color = std::move(*noisy);
-    std::erase_if(picture.metadata, isOfDenoiser);
-    std::erase_if(picture.channels,
-                  [](const Channel& channel) { return contains(kNoisyChannels, channel.name); });
+    removeMark(picture.metadata);
+    std::erase_if(picture.channels, [](const Channel& channel) {
+        return std::ranges::find(kNoisyChannels, channel.name) != kNoisyChannels.end();
+    });
 }
 
 void requireFinite(const Image& image, const std::string& path) {

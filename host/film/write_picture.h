@@ -8,8 +8,8 @@
 namespace calotype {
 
 /// Writes a picture, atomically, in the format of the extension of `path` (image/image_format.h):
-/// PNG holds the colour through `transform`, PFM the colour as it is, EXR everything. Throws
-/// OutputError, also for an unknown extension.
+/// PNG holds the colour through `transform`, and whether it is denoised; PFM the colour as it is,
+/// EXR everything. Throws OutputError, also for an unknown extension.
 void writePicture(const std::filesystem::path& path, const Picture& picture,
                   const DisplayTransform& transform);
 

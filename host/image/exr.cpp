@@ -67,11 +67,9 @@ Imf::PixelType typeOf(const Channel& channel) {
     return std::holds_alternative<std::vector<uint32_t>>(channel.pixels) ? Imf::UINT : Imf::FLOAT;
 }
 
-constexpr std::string_view kPrefix = "calotype:";
-
 void insertMetadata(Imf::Header& header, const std::vector<Attribute>& metadata) {
     for (const Attribute& attribute : metadata) {
-        const std::string name = std::string(kPrefix) + attribute.name;
+        const std::string name = std::string(kMetadataPrefix) + attribute.name;
         if (const auto* text = std::get_if<std::string>(&attribute.value))
             header.insert(name, Imf::StringAttribute(*text));
         else if (const auto* integer = std::get_if<int32_t>(&attribute.value))
@@ -86,11 +84,12 @@ std::vector<Attribute> metadataOf(const Imf::Header& header) {
     std::vector<Attribute> metadata;
     for (auto i = header.begin(); i != header.end(); ++i) {
         const std::string_view name = i.name();
-        if (!name.starts_with(kPrefix))
+        if (!name.starts_with(kMetadataPrefix))
             continue;
         const auto add = [&](const auto* attribute) {
             if (attribute)
-                metadata.push_back({std::string(name.substr(kPrefix.size())), attribute->value()});
+                metadata.push_back(
+                    {std::string(name.substr(kMetadataPrefix.size())), attribute->value()});
         };
         add(dynamic_cast<const Imf::StringAttribute*>(&i.attribute()));
         add(dynamic_cast<const Imf::IntAttribute*>(&i.attribute()));
@@ -244,6 +243,13 @@ void writeExr(const std::filesystem::path& path, const Picture& picture) {
 
 Image readExr(const std::filesystem::path& path) {
     return withExrErrors(path, [&] { return readPicture(path, false).color; });
+}
+
+std::vector<Attribute> readExrMetadata(const std::filesystem::path& path) {
+    return withExrErrors(path, [&] {
+        checkExr(path);
+        return metadataOf(Imf::InputFile(path.c_str()).header());
+    });
 }
 
 Picture readExrPicture(const std::filesystem::path& path) {

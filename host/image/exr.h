@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "image/picture.h"
 
@@ -20,5 +21,8 @@ Image readExr(const std::filesystem::path& path);
 /// floats; the attributes that writeExr writes; and the crop, if the data window is a part of the
 /// display window.
 Picture readExrPicture(const std::filesystem::path& path);
+
+/// Reads only the attributes that writeExr writes. Throws SceneError likewise.
+std::vector<Attribute> readExrMetadata(const std::filesystem::path& path);
 
 } // namespace calotype

@@ -1,10 +1,10 @@
 #include "image/image_check.h"
 
 #include <algorithm>
-#include <array>
 
 #include "base/error.h"
 #include "image/byte_order.h"
+#include "image/png_chunk.h"
 
 namespace calotype {
 namespace {
@@ -14,23 +14,6 @@ constexpr size_t kBmpFileHeader = 14;
 
 [[noreturn]] void failCut(const std::string& where, const char* format) {
     throw SceneError(where, std::string("the ") + format + " is incomplete: its end is missing");
-}
-
-/// CRC-32 of ISO 3309, as PNG uses it.
-uint32_t crc32(std::string_view bytes) {
-    static const std::array<uint32_t, 256> kTable = [] {
-        std::array<uint32_t, 256> table{};
-        for (uint32_t i = 0; i < table.size(); ++i) {
-            table[i] = i;
-            for (int bit = 0; bit < 8; ++bit)
-                table[i] = (table[i] & 1u) != 0 ? 0xedb88320u ^ (table[i] >> 1) : table[i] >> 1;
-        }
-        return table;
-    }();
-    uint32_t crc = ~0u;
-    for (const char c : bytes)
-        crc = kTable[(crc ^ static_cast<unsigned char>(c)) & 255u] ^ (crc >> 8);
-    return ~crc;
 }
 
 } // namespace
@@ -53,7 +36,7 @@ ImageSize checkPng(std::string_view file, const std::string& where) {
         type = file.substr(at + 4, 4);
         const bool isCritical = (byteAt(type, 0) & 32u) == 0;
         if (isCritical &&
-            crc32(file.substr(at + 4, length + 4)) != bigEndian32(file, at + 8 + length))
+            pngChecksum(file.substr(at + 4, length + 4)) != bigEndian32(file, at + 8 + length))
             throw SceneError(where, "the PNG is corrupt: the checksum of a part is wrong");
         if (type == "IHDR" && length == 13)
             size = {bigEndian32(file, at + 8), bigEndian32(file, at + 12)};

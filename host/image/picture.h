@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -15,6 +16,9 @@ struct Channel {
     std::string name; ///< as in an EXR file: "albedo.R" is channel R of the layer "albedo"
     std::variant<std::vector<float>, std::vector<uint32_t>> pixels;
 };
+
+/// Before the names of attributes in files.
+inline constexpr std::string_view kMetadataPrefix = "calotype:";
 
 /// A fact about a picture, such as the number of its samples.
 struct Attribute {

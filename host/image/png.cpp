@@ -23,7 +23,7 @@ constexpr std::string_view kSrgbChunk("\0\0\0\1sRGB\0\xAE\xCE\x1C\xE9", 13);
 
 } // namespace
 
-std::string encodePng(const Rgb8Image& image) {
+std::string encodePng(const Rgb8Image& image, std::span<const PngText> texts) {
     CALOTYPE_CHECK_LT(0u, image.pixels.size());
     constexpr int kChannels = 3;
 
@@ -39,13 +39,17 @@ std::string encodePng(const Rgb8Image& image) {
                                 width * kChannels))
         throw OutputError("not enough memory to compress the PNG; use .exr or .pfm");
     constexpr size_t kHeaderEnd = 8 + 25; // the signature, and IHDR
-    return bytes.insert(kHeaderEnd, kSrgbChunk);
+    std::string added(kSrgbChunk);
+    for (const PngText& text : texts)
+        added += pngChunk(text);
+    return bytes.insert(kHeaderEnd, added);
 }
 
-void writePng(const std::filesystem::path& path, const Rgb8Image& image) {
+void writePng(const std::filesystem::path& path, const Rgb8Image& image,
+              std::span<const PngText> texts) {
     std::string bytes;
     try {
-        bytes = encodePng(image);
+        bytes = encodePng(image, texts);
     } catch (const OutputError& error) {
         throw OutputError("cannot write '" + path.string() + "': " + error.what());
     }

@@ -141,6 +141,28 @@ TEST_F(DenoiseCommandTest, AFilmWithoutFeaturesIsDenoisedWithAWarning) {
     EXPECT_TRUE(readText(output_) == readText(picture_));
 }
 
+TEST_F(DenoiseCommandTest, CompareSaysThatAPictureIsDenoised) {
+    const std::string png = folder_ / "a.png";
+    render({"--spp", "128", "--denoise", "oidn", "-o", picture_, "-o", png, "--stats", stats_});
+    const std::string plain = folder_ / "plain.png";
+    render({"--spp", "4", "-o", plain});
+    const auto stated = statistics()["denoised_error"].get<double>();
+    for (const std::string& path : {picture_, png}) {
+        const std::vector<std::string> arguments = {"compare", path, plain};
+        const std::string text = run(arguments).output;
+        const std::string first = text.substr(0, text.find('\n'));
+        EXPECT_NE(first.find(", denoised by Open Image Denoise 2.0.0 (error "), std::string::npos)
+            << text;
+        EXPECT_EQ(text.find("denoised", first.size()), std::string::npos) << text;
+        const auto json = nlohmann::json::parse(run({"compare", plain, path, "--json"}).output);
+        EXPECT_EQ(json["b"]["denoiser"], "Open Image Denoise 2.0.0");
+        EXPECT_NEAR(json["b"]["denoised_error"].get<double>(), stated, 1e-5 * stated);
+        EXPECT_GT(json["b"]["denoised_bound"], json["b"]["denoised_error"]);
+        EXPECT_TRUE(json["a"]["denoiser"].is_null());
+    }
+    EXPECT_EQ(readText(plain).find("tEXt"), std::string::npos);
+}
+
 TEST_F(DenoiseCommandTest, SaysWhyAFilmHasNoStatedError) {
     render({"--spp", "64", "--denoise", "oidn", "--film", film_});
     const ProgramResult result = denoise(film_, output_, {"--stats", stats_});

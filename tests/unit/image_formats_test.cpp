@@ -66,6 +66,56 @@ TEST(PngTest, SaysThatItIsSrgb) {
     EXPECT_EQ(checksum, crc32(0, reinterpret_cast<const Bytef*>(name.data()), 5));
 }
 
+// The chunk of the PNG specification, 11.3.3.3: keyword, a zero byte and the text, before the pixels.
+// Its checksum is that of zlib.
+TEST(PngTest, HoldsTexts) {
+    const std::vector<PngText> texts = {{"Software", "Calotype"}, {"calotype:denoiser", "a\tb"}};
+    const std::string bytes = encodePng(Rgb8Image(3, 2), texts);
+    EXPECT_EQ(checkPng(bytes, "a.png").width, 3u);
+    const std::string chunk("tEXtSoftware\0Calotype", 21);
+    const size_t at = bytes.find(chunk);
+    ASSERT_NE(at, std::string::npos);
+    EXPECT_EQ(bytes.substr(at - 4, 4), std::string("\0\0\0\21", 4)) << "17 bytes";
+    EXPECT_LT(at, bytes.find("IDAT"));
+    uint32_t checksum = 0;
+    for (size_t i = 0; i < 4; ++i)
+        checksum = checksum << 8 | static_cast<unsigned char>(bytes[at + chunk.size() + i]);
+    EXPECT_EQ(checksum, crc32(0, reinterpret_cast<const Bytef*>(chunk.data()), chunk.size()));
+    const std::vector<PngText> read = pngTexts(bytes);
+    ASSERT_EQ(read.size(), 2u);
+    EXPECT_EQ(read[0].keyword, "Software");
+    EXPECT_EQ(read[0].text, "Calotype");
+    EXPECT_EQ(read[1].keyword, "calotype:denoiser");
+    EXPECT_EQ(read[1].text, "a?b") << "no control characters";
+    EXPECT_TRUE(pngTexts(encodePng(Rgb8Image(3, 2))).empty());
+    EXPECT_TRUE(pngTexts(bytes.substr(0, at + 9)).empty()) << "cut off";
+}
+
+TEST(DenoisedMarkTest, IsInExrAndPng) {
+    const ScratchFolder folder;
+    Picture picture{Image(3, 2)};
+    for (const char* name : {"a.exr", "a.png", "a.pfm"}) {
+        writePicture(folder / name, picture, {});
+        EXPECT_FALSE(readMark(folder / name)) << name;
+    }
+    addMark({"a denoiser 1.2", 0.125, 0.25}, picture.metadata);
+    for (const char* name : {"a.exr", "a.png"}) {
+        writePicture(folder / name, picture, {});
+        const auto mark = readMark(folder / name);
+        ASSERT_TRUE(mark) << name;
+        EXPECT_EQ(mark->denoiser, "a denoiser 1.2");
+        EXPECT_EQ(mark->error, 0.125);
+        EXPECT_EQ(mark->bound, 0.25);
+    }
+    removeMark(picture.metadata);
+    addMark({"a denoiser 1.2", {}, {}}, picture.metadata);
+    for (const char* name : {"a.exr", "a.png"}) {
+        writePicture(folder / name, picture, {});
+        ASSERT_TRUE(readMark(folder / name)) << name;
+        EXPECT_FALSE(readMark(folder / name)->error) << name;
+    }
+}
+
 TEST(PngTest, RefusesMorePixelsThanItsEncoderCounts) {
     Rgb8Image image(1, 1);
     image.width = image.height = 30000;
