@@ -21,6 +21,7 @@ using Duration = std::chrono::steady_clock::duration;
 constexpr Duration kBarInterval = std::chrono::milliseconds(100);
 constexpr Duration kJsonInterval = std::chrono::milliseconds(500);
 constexpr Duration kLineInterval = std::chrono::seconds(10);
+constexpr const char* kRendering = "rendering";
 constexpr std::chrono::seconds kQuietStart(1); ///< before loading and building are shown
 constexpr size_t kLongestLine = 1000;          ///< where there is no terminal
 
@@ -70,17 +71,18 @@ void Progress::show(double done, std::vector<LinePart> parts) {
     barShown_ = redraws_;
 }
 
-void Progress::showJson(const std::string& stage, double done, const RenderTotals* totals) {
+void Progress::showJson(const std::string& stage, double done) {
     using Json = nlohmann::ordered_json;
     const double seconds = secondsSince(start_);
     stage_ = stage;
     Json json;
     json["stage"] = stage;
     json["done"] = done;
-    json["spp"] = totals ? Json(totals->samplesPerPixel) : Json();
-    json["error"] = totals ? describeError(totals->error) : Json();
+    json["spp"] = totals_ ? Json(totals_->samplesPerPixel) : Json();
+    json["error"] = totals_ ? describeError(totals_->error) : Json();
     json["seconds"] = seconds;
-    json["seconds_left"] = totals && done > 0.0 ? Json(seconds * (1.0 - done) / done) : Json();
+    const bool isKnown = stage == kRendering && done > 0.0;
+    json["seconds_left"] = isKnown ? Json(seconds * (1.0 - done) / done) : Json();
     std::fputs(jsonText(json, -1).c_str(), stderr);
     std::fflush(stderr);
 }
@@ -88,25 +90,28 @@ void Progress::showJson(const std::string& stage, double done, const RenderTotal
 void Progress::step(const std::string& what, double done) {
     if (style_ == ProgressStyle::Json) {
         if (what != stage_ || isDue())
-            showJson(what, done, nullptr);
-    } else if (Clock::now() - start_ > kQuietStart && isDue()) {
+            showJson(what, done);
+    } else if (Clock::now() - start_ > kQuietStart && (isDue() || (redraws_ && what != stage_))) {
+        stage_ = what;
         show(done, {{what, kSamples}});
     }
 }
 
 void Progress::finished(const RenderTotals& totals) {
+    totals_ = totals;
     if (style_ == ProgressStyle::Json)
-        showJson("finished", 1.0, &totals);
+        showJson("finished", 1.0);
 }
 
 void Progress::rendering(const RenderTotals& totals) {
+    totals_ = totals;
     if (!isDue())
         return;
     const double elapsed = secondsSince(start_);
     const auto paths = static_cast<double>(totals.paths);
     const double done = shareDone(plan_, totals, elapsed);
     if (style_ == ProgressStyle::Json)
-        return showJson("rendering", done, &totals);
+        return showJson(kRendering, done);
     std::string samples = std::to_string(totals.samplesPerPixel);
     if (plan_.samplesPerPixel)
         samples.append("/").append(std::to_string(*plan_.samplesPerPixel));

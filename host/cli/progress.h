@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,7 @@ public:
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// Loading and building: `done` in [0, 1]. Shown only once the program has run for a second.
+    /// Anything but rendering: `done` in [0, 1]. The text is shown only a second after the start.
     void step(const std::string& what, double done);
 
     void rendering(const RenderTotals& totals);
@@ -43,7 +44,7 @@ private:
     /// True if it is time for the next update.
     bool isDue();
     void show(double done, std::vector<LinePart> parts);
-    void showJson(const std::string& stage, double done, const RenderTotals* totals);
+    void showJson(const std::string& stage, double done);
 
     ProgressStyle style_;
     bool redraws_;
@@ -51,7 +52,8 @@ private:
     RenderPlan plan_;
     Clock::time_point start_ = Clock::now();
     Clock::time_point lastShown_ = Clock::now();
-    std::string stage_; ///< of the last line of JSON
+    std::string stage_;                  ///< of the last line of JSON, or the last step
+    std::optional<RenderTotals> totals_; ///< the last that were given
 };
 
 } // namespace calotype

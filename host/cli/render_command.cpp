@@ -103,7 +103,7 @@ private:
     RenderCallbacks callbacks() {
         RenderCallbacks callbacks;
         callbacks.onProgress = [&](const std::string& what, double done) {
-            if (!isSampling_)
+            if (what != "rendering") // which onSamples shows
                 progress_->step(what, done);
         };
         callbacks.onPrepared = [&] { deadline_.reset(); };

@@ -3,17 +3,21 @@
 #include <exception>
 #include <utility>
 
+#include "base/error.h"
 #include "base/stopwatch.h"
 
 namespace calotype {
 
-std::optional<DenoisedError> DenoisedGoal::errorOf(const Film& film) {
+std::optional<DenoisedError> DenoisedGoal::errorOf(const Film& film,
+                                                   const PictureDenoiser::OnProgress& onProgress) {
     if (!isDue(film.samplesPerPixel()))
         return std::nullopt;
     const Clock::time_point before = Clock::now();
     picture_.reset();
     try {
-        picture_ = denoiser_.run(film, film.picture(), features_, threads_);
+        picture_ = denoiser_.run(film, film.picture(), features_, threads_, onProgress);
+    } catch (const Interrupted&) {
+        return std::nullopt;
     } catch (const std::exception&) { // the render goes on; denoising its end will fail again
         hasFailed_ = true;
         return std::nullopt;

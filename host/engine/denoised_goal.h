@@ -20,8 +20,10 @@ public:
 
     /// The error of the film after denoising. None where it is above the target anyway, where
     /// denoising would take more than half of the time, where nobody can state the error, or if
-    /// denoising fails.
-    std::optional<DenoisedError> errorOf(const Film& film);
+    /// denoising fails. `onProgress` as for PictureDenoiser::run; it may throw Interrupted to end
+    /// the work.
+    std::optional<DenoisedError> errorOf(const Film& film,
+                                         const PictureDenoiser::OnProgress& onProgress);
 
     /// The picture of the last errorOf, if the film had as many samples as now.
     std::optional<CleanPicture> take(const Film& film);

@@ -49,8 +49,10 @@ FirstHitImage DeviceEngine::firstHits(const std::function<void(double)>& onProgr
 }
 
 FeatureImage DeviceEngine::features(const std::function<void(double)>& onProgress) {
-    return FeaturePass(device(), packed_, buffers_, packed_.features, settings_)
-        .run(kFeatureRays, onProgress);
+    FeaturePass pass(device(), packed_, buffers_, packed_.features, settings_);
+    FeatureImage features = pass.run(kFeatureRays, onProgress);
+    cutFeatureRays_ = pass.cutRays();
+    return features;
 }
 
 } // namespace calotype

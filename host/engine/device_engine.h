@@ -23,6 +23,7 @@ public:
     FirstHitImage firstHits(const std::function<void(double)>& onProgress) override;
     FeatureImage features(const std::function<void(double)>& onProgress) override;
     uint64_t cutPixels() const override { return cutPixels_; }
+    uint64_t cutFeatureRays() const override { return cutFeatureRays_; }
     DeviceInfo info() const override { return device().info(); }
     const char* tree() const override { return nameOf(builder_); }
     uint64_t deviceBytes() const override { return deviceBytes_; }
@@ -40,6 +41,7 @@ private:
     SceneBuffers buffers_;
     PathTracer tracer_;
     uint64_t cutPixels_ = 0;
+    uint64_t cutFeatureRays_ = 0;
 };
 
 } // namespace calotype

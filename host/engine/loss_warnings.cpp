@@ -2,7 +2,8 @@
 
 namespace calotype {
 
-std::vector<std::string> lossWarnings(const FilmLosses& losses, uint64_t cutPixels) {
+std::vector<std::string> lossWarnings(const FilmLosses& losses, uint64_t cutPixels,
+                                      uint64_t cutFeatureRays) {
     std::vector<std::string> warnings;
     const auto warn = [&](uint64_t count, const char* text) {
         if (count > 0)
@@ -14,6 +15,10 @@ std::vector<std::string> lossWarnings(const FilmLosses& losses, uint64_t cutPixe
                           "GPU");
     warn(cutPixels, "pixels lie behind more transparent surfaces than the layers of --aov see "
                     "through, and show one of those as if it were opaque");
+    warn(cutFeatureRays,
+         "rays of the averaged layers (of --aov and for denoising) were cut short by "
+         "the device's loop limit behind too many transparent surfaces, and show "
+         "one of those as if it were opaque, or nothing");
     warn(losses.lostPixels(), "blocks of samples were too bright for the film and count as black");
     return warnings;
 }

@@ -35,6 +35,9 @@ public:
     /// Pixels of the first hits that show a surface the ray should have passed through.
     virtual uint64_t cutPixels() const { return 0; }
 
+    /// Rays of the features that a limit ended at a surface where they would go on.
+    virtual uint64_t cutFeatureRays() const { return 0; }
+
     virtual DeviceInfo info() const = 0;
 
     /// How the BVH was built: "median", "sah", or "reference".

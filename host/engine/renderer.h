@@ -23,13 +23,13 @@ struct RenderJob;
 /// Callbacks of a running render. Each may be empty. They are called on the thread that called
 /// Renderer::render; an exception from one ends the render.
 struct RenderCallbacks {
-    /// Called about ten times a second with the current step, such as "building the BVH" or
-    /// "rendering", and its share done in [0, 1].
+    /// Called about ten times a second with the current step, such as "building the BVH",
+    /// "rendering" or "denoising", and its share done in [0, 1].
     std::function<void(const std::string& what, double done)> onProgress = {};
     /// Called once, when everything is read, built and compiled, before the first file is written.
     std::function<void()> onPrepared = {};
-    /// The numbers of the step "rendering": called when sampling starts, and then before each
-    /// onProgress.
+    /// The numbers of the step "rendering": called when sampling starts, then before each
+    /// onProgress of that step, and with those of all samples before denoising.
     std::function<void(const RenderPlan& plan, const RenderTotals& totals)> onSamples = {};
     /// Called about ten times a second. If it returns true, the render ends, and the result holds
     /// the samples so far.

@@ -108,11 +108,12 @@ public:
             denoiserFailure = denoisePicture(*denoiser, denoisedGoal, *session, keeper.features());
         writeAll(*session, *engine, writer, failures);
         takePixels(*session);
+        engine->finish();
+        for (const std::string& warning :
+             lossWarnings(result_.totals.losses, engine->cutPixels(), engine->cutFeatureRays()))
+            warn(warning);
         if (denoiserFailure) // after all that was rendered is written, without denoising
             std::rethrow_exception(denoiserFailure);
-        engine->finish();
-        for (const std::string& warning : lossWarnings(result_.totals.losses, engine->cutPixels()))
-            warn(warning);
         return std::move(result_);
     }
 
@@ -175,7 +176,9 @@ private:
         RenderGoal goal;
         goal.targetError = plan.targetError;
         if (denoisedGoal)
-            goal.denoisedError = [&](const Film& film) { return denoisedGoal->errorOf(film); };
+            goal.denoisedError = [&](const Film& film) {
+                return denoisedGoal->errorOf(film, [&](double done) { reportDenoising(done); });
+            };
         if (plan.seconds)
             goal.deadline = start + std::chrono::duration_cast<Clock::duration>(
                                         std::chrono::duration<double>(*plan.seconds));
@@ -215,23 +218,36 @@ private:
         }
     }
 
-    /// Not after a stop: denoising takes long. Returns why it failed, if it did.
+    /// A step of denoising. Throws Interrupted at a stop.
+    void reportDenoising(double done) const {
+        if (done < 1.0)
+            throwIfStopped();
+        report("denoising", done);
+    }
+
+    /// Denoises the picture, unless the render is stopped: denoising takes long. Returns why it
+    /// failed, if it did.
     std::exception_ptr denoisePicture(const PictureDenoiser& denoiser,
                                       std::optional<DenoisedGoal>& goal, Session& session,
                                       const std::optional<DenoiserFeatures>& features) {
         seconds_.denoise = goal ? goal->seconds() : 0.0;
-        if (result_.ending == RenderEnding::Stopped) {
-            warn("the picture is not denoised, because the render was stopped");
-            return nullptr;
-        }
-        report("denoising", 0.0);
         const Clock::time_point before = Clock::now();
         try {
+            if (result_.ending == RenderEnding::Stopped)
+                throw Interrupted();
+            if (callbacks_.onSamples)
+                callbacks_.onSamples(result_.plan, result_.totals);
+            reportDenoising(0.0);
             const Film& film = *session.evenFilm();
             if (goal)
                 clean_ = goal->take(film);
             if (!clean_)
-                clean_ = denoiser.run(film, session.picture(), features, device_.options().threads);
+                clean_ = denoiser.run(film, session.picture(), features, device_.options().threads,
+                                      [&](double done) { reportDenoising(done); });
+        } catch (const Interrupted&) {
+            result_.ending = RenderEnding::Stopped;
+            warn("the picture is not denoised, because the render was stopped");
+            return nullptr;
         } catch (const std::exception&) {
             return std::current_exception();
         }

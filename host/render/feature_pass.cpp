@@ -28,8 +28,10 @@ FeaturePass::FeaturePass(const Device& device, const GpuScene& scene, const Scen
 
 FeatureImage FeaturePass::run(uint32_t rays, const std::function<void(double)>& onProgress) {
     FeatureImage image(parameters_.cropSize.x, parameters_.cropSize.y);
+    cutRays_ = 0;
     const auto take = [&](uint32_t x, uint32_t y, const shared::FeatureRecord& record) {
         add(record.sum, image.at(x, y));
+        cutRays_ += record.isCut;
     };
     for (uint32_t ray = 0; ray < rays; ++ray) {
         parameters_.sampleIndex = ray;

@@ -27,9 +27,13 @@ public:
     /// with the share done in [0, 1]; it may throw to end the work.
     FeatureImage run(uint32_t rays, const std::function<void(double)>& onProgress = {});
 
+    /// Rays of the last run that a limit ended at a surface where they would go on.
+    uint64_t cutRays() const { return cutRays_; }
+
 private:
     shared::FeatureParameters parameters_;
     RecordPass<shared::FeatureRecord, shared::FeatureParameters> pass_;
+    uint64_t cutRays_ = 0;
 };
 
 /// Bytes that a FeaturePass needs on the device, in addition to the scene.

@@ -1,11 +1,15 @@
 // calotype render --denoise.
+#include <csignal>
+#include <filesystem>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/cli_test.h"
+#include "film/film_file.h"
 #include "image/exr.h"
 #include "support/paths.h"
 #include "support/test_denoiser.h"
@@ -60,6 +64,75 @@ TEST_F(DenoiseTest, TheSceneCanAskForIt) {
     expectFailure(runProgram(with({"--adaptive"}), withFakeDenoiser()), 2, "--denoise off");
     expectFailure(runProgram({"render", scene_, "-o", picture_, "--set", "/render/denoise=1"}), 3,
                   "/render/denoise");
+}
+
+/// A model: squares of a material that lets all light pass, one behind the other.
+std::string stackOfClearSquares(uint32_t squares) {
+    std::string text = "mtllib clear.mtl\nusemtl clear\n";
+    for (uint32_t i = 0; i < squares; ++i) {
+        const std::string z = std::to_string(4.0 * i / squares);
+        for (const char* corner : {"-9 -9 ", "9 -9 ", "9 9 ", "-9 9 "})
+            text.append("v ").append(corner).append(z).append("\n");
+        text += "f -4 -3 -2 -1\n";
+    }
+    return text;
+}
+
+// What the samples and the features lack is said, whatever becomes of the denoiser, and the picture
+// is written.
+TEST_F(DenoiseTest, AFailingDenoiserLosesNothing) {
+    folder_.write("clear.mtl", "newmtl clear\nKd 0.5 0.5 0.5\nd 0\n");
+    scene_ = folder_.write("stack.obj", stackOfClearSquares(1100));
+    const ProgramResult result =
+        render({"-q", "-o", picture_, "--film", folder_ / "a.film", "--spp", "16", "--size", "2x2",
+                "--from", "0,0,9", "--look-at", "0,0,0"},
+               withFakeDenoiser("fails"));
+    EXPECT_EQ(result.exitCode, 1);
+    EXPECT_NE(result.errors.find("calotype: Open Image Denoise failed: it was told to\n"),
+              std::string::npos)
+        << result.errors;
+    EXPECT_NE(result.errors.find("warning: 128 rays of the averaged layers"), std::string::npos)
+        << result.errors;
+    EXPECT_EQ(readExrPicture(picture_).channels.size(), 0u);
+    EXPECT_EQ(
+        runProgram({"denoise", folder_ / "a.film", "-o", picture_}, withFakeDenoiser()).exitCode,
+        0);
+}
+
+TEST_F(DenoiseTest, ShowsThatItDenoises) {
+    ProgramOptions options = withFakeDenoiser("slow");
+    const ProgramResult asJson =
+        render({"-o", picture_, "--spp", "48", "--progress", "json"}, options);
+    ASSERT_EQ(asJson.exitCode, 0) << asJson.errors;
+    const std::string start = "{\"stage\":\"denoising\",\"done\":";
+    const size_t first = asJson.errors.find(start);
+    EXPECT_EQ(asJson.errors.find(start + "0.0,\"spp\":48,"), first) << asJson.errors;
+    EXPECT_NE(asJson.errors.find(start, first + 1), std::string::npos)
+        << "1.2 s: " << asJson.errors;
+    options.onTerminal = true;
+    options.environment["TERM"] = "xterm";
+    const ProgramResult shown = render({"-o", picture_, "--spp", "128"}, options);
+    ASSERT_EQ(shown.exitCode, 0) << shown.errors;
+    EXPECT_NE(shown.errors.find(" %  denoising"), std::string::npos) << shown.errors;
+}
+
+// Eight replicas and a picture take 2.7 s.
+TEST_F(DenoiseTest, AnInterruptEndsDenoising) {
+    ProgramOptions options = withFakeDenoiser("slow");
+    const std::string film = folder_ / "a.film";
+    bool isSent = false;
+    options.whileRunning = [&](int pid, double) {
+        std::error_code missing;
+        if (!isSent && std::filesystem::file_size(film, missing) > 0 && !missing &&
+            readFilm(film).film.samplesPerPixel() == 128) // and so denoising has begun, or will
+            isSent = kill(pid, SIGINT) == 0;
+    };
+    const ProgramResult result = render({"-o", picture_, "--film", film, "--spp", "128"}, options);
+    EXPECT_EQ(result.exitCode, 1) << result.errors;
+    EXPECT_NE(result.errors.find("the picture is not denoised, because the render was stopped"),
+              std::string::npos)
+        << result.errors;
+    EXPECT_EQ(readExrPicture(picture_).channels.size(), 0u);
 }
 
 /// Tests of the denoised picture are skipped where the library is not installed.

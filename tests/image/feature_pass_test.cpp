@@ -51,6 +51,29 @@ TEST_F(FeaturePassTest, OfNothingIsNothing) {
     }
 }
 
+// Rays that a limit ends behind many clear squares are counted.
+TEST_F(FeaturePassTest, DeepStacksAreCutAndCounted) {
+    const auto cutRaysBehind = [&](uint32_t squares) {
+        SceneBuilder builder;
+        Material clear;
+        clear.opacity = 0.0;
+        const uint32_t clearIndex = builder.material(clear);
+        for (uint32_t i = 1; i <= squares; ++i)
+            builder.rectangle({-9.0, -9.0, 4.0 * i / squares}, {18.0, 0.0, 0.0}, {0.0, 18.0, 0.0},
+                              clearIndex);
+        builder.lookAtPlaneZ(9.0);
+        builder.scene().film = {2, 2};
+        const RenderSettings settings = settingsOf(2, 2);
+        const GpuScene packed = compileScene(builder.scene(), settings).packed;
+        const SceneBuffers buffers(testDevice(), packed);
+        FeaturePass pass(testDevice(), packed, buffers, packed.features, settings);
+        pass.run(3);
+        return pass.cutRays();
+    };
+    EXPECT_EQ(cutRaysBehind(60), 0u);
+    EXPECT_EQ(cutRaysBehind(1100), 12u) << "three rays in each of four pixels";
+}
+
 // A light has the albedo that it shows on a display.
 TEST_F(FeaturePassTest, OfTheBackgroundIsItsColorOnADisplay) {
     SceneBuilder builder;

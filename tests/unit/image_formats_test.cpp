@@ -11,6 +11,9 @@
 #include <stb/stb_image.h>
 
 #include "base/error.h"
+#include "film/write_picture.h"
+#include "image/denoised_mark.h"
+#include "image/image_check.h"
 #include "image/image_format.h"
 #include "image/pfm.h"
 #include "image/png.h"
@@ -66,8 +69,8 @@ TEST(PngTest, SaysThatItIsSrgb) {
     EXPECT_EQ(checksum, crc32(0, reinterpret_cast<const Bytef*>(name.data()), 5));
 }
 
-// The chunk of the PNG specification, 11.3.3.3: keyword, a zero byte and the text, before the pixels.
-// Its checksum is that of zlib.
+// The chunk of the PNG specification, 11.3.3.3: keyword, a zero byte and the text, before the
+// pixels. Its checksum is that of zlib.
 TEST(PngTest, HoldsTexts) {
     const std::vector<PngText> texts = {{"Software", "Calotype"}, {"calotype:denoiser", "a\tb"}};
     const std::string bytes = encodePng(Rgb8Image(3, 2), texts);
