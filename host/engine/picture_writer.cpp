@@ -25,9 +25,9 @@ void PictureWriter::writeOutputs(Session& session, const std::optional<CleanPict
     failures.throwIfAny();
 }
 
-void PictureWriter::writePreview(Session& session) const {
+void PictureWriter::writePreview(Session& session, const std::optional<CleanPicture>& clean) const {
     writePicture(options_.previewFile.empty() ? options_.pictures.front() : options_.previewFile,
-                 pictureOf(session, {}), options_.display);
+                 pictureOf(session, clean), options_.display);
 }
 
 Picture PictureWriter::pictureOf(Session& session, const std::optional<CleanPicture>& clean) const {

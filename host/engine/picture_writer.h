@@ -31,8 +31,8 @@ public:
     /// where those pictures are kept. `clean`, if there is one, is the picture after denoising.
     void writeOutputs(Session& session, const std::optional<CleanPicture>& clean) const;
 
-    /// Throws OutputError.
-    void writePreview(Session& session) const;
+    /// Throws OutputError. `clean` is the picture so far after denoising, if it is denoised.
+    void writePreview(Session& session, const std::optional<CleanPicture>& clean) const;
 
 private:
     /// The picture so far, with its layers and metadata.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,6 +21,7 @@
 #include "engine/make_session.h"
 #include "engine/picture_denoiser.h"
 #include "engine/picture_writer.h"
+#include "engine/preview_denoiser.h"
 #include "engine/render_engine.h"
 #include "engine/scene_settings.h"
 #include "engine/spare_file.h"
@@ -95,7 +97,11 @@ public:
         if (denoiser && settings_.targetError)
             denoisedGoal.emplace(*settings_.targetError, *denoiser, keeper.features(),
                                  device_.options().threads);
-        result_.ending = render(*session, keeper, writer, denoisedGoal);
+        PreviewDenoiser previewDenoiser(denoiser ? &*denoiser : nullptr, keeper.features(),
+                                        device_.options().threads);
+        result_.ending = render(*session, keeper, denoisedGoal, [&](double interval) {
+            writePreview(writer, *session, previewDenoiser, interval);
+        });
         session->error(); // of the final film, for the totals
         result_.totals = session->totals();
         seconds_.render = result_.totals.seconds;
@@ -169,8 +175,10 @@ private:
         return plan;
     }
 
-    RenderEnding render(Session& session, FilmKeeper& keeper, const PictureWriter& writer,
-                        std::optional<DenoisedGoal>& denoisedGoal) {
+    /// `writePreview` takes the seconds since the preview before.
+    RenderEnding render(Session& session, FilmKeeper& keeper,
+                        std::optional<DenoisedGoal>& denoisedGoal,
+                        const std::function<void(double)>& writePreview) {
         const Clock::time_point start = Clock::now();
         const RenderPlan& plan = result_.plan;
         RenderGoal goal;
@@ -186,33 +194,42 @@ private:
             callbacks_.onSamples(plan, session.totals());
         const PreviewInterval& interval = job_.output.previewInterval;
         Clock::time_point lastPreview = start;
+        const auto preview = [&] {
+            writePreview(secondsSince(lastPreview));
+            lastPreview = Clock::now();
+        };
         RenderObserver observer;
         observer.shouldStop = [&] { return isStopped(); };
         observer.onDispatch = [&](const RenderTotals& totals) {
             if (callbacks_.onSamples)
                 callbacks_.onSamples(plan, totals);
             report("rendering", shareDone(plan, totals, secondsSince(start)));
-            if (interval.seconds > 0.0 && secondsSince(lastPreview) >= interval.seconds) {
-                writePreview(writer, session);
-                lastPreview = Clock::now();
-            }
+            if (interval.seconds > 0.0 && secondsSince(lastPreview) >= interval.seconds)
+                preview();
         };
         uint64_t previews = 0;
         observer.onPass = [&](const RenderTotals& totals) {
             if (interval.samples == 0 || totals.samplesPerPixel / interval.samples <= previews)
                 return;
             previews = totals.samplesPerPixel / interval.samples;
-            writePreview(writer, session);
+            preview();
         };
         if (keeper.isWanted())
             observer.onBlock = [&] { keeper.checkpoint(*film_); };
         return session.run(observer, interval.samples, goal);
     }
 
-    /// A preview that cannot be written does not end the render.
-    void writePreview(const PictureWriter& writer, Session& session) {
+    /// A preview that cannot be denoised, or not be written, does not end the render.
+    void writePreview(const PictureWriter& writer, Session& session, PreviewDenoiser& denoiser,
+                      double interval) {
+        std::optional<CleanPicture> clean;
         try {
-            writer.writePreview(session);
+            clean = denoiser.run(session.picture(), interval);
+        } catch (const Error& error) {
+            warn("a preview is not denoised: " + std::string(error.what()));
+        }
+        try {
+            writer.writePreview(session, clean);
         } catch (const OutputError& error) {
             warn(error.what());
         }

@@ -13,10 +13,14 @@
 #include "cli/cli_test.h"
 #include "film/film_file.h"
 #include "image/exr.h"
+#include "support/paths.h"
 #include "support/test_denoiser.h"
 
 namespace calotype::test {
 namespace {
+
+/// Its error is stated for 128 samples per pixel.
+const std::string kTrustedScene = std::string(kProjectFolder) + "/scenes/cornell-box.json";
 
 class DenoiseCommandTest : public CliTest {
 protected:
@@ -54,6 +58,7 @@ const Channel* findChannel(const Picture& picture, const std::string& name) {
 }
 
 TEST_F(DenoiseCommandTest, AFilmGivesThePictureOfItsRender) {
+    scene_ = kTrustedScene;
     render({"--spp", "128", "--denoise", "oidn", "--film", film_, "-o", picture_, "-o",
             folder_ / "a.png", "--exposure", "1"});
     const ProgramResult result =
@@ -142,6 +147,7 @@ TEST_F(DenoiseCommandTest, AFilmWithoutFeaturesIsDenoisedWithAWarning) {
 }
 
 TEST_F(DenoiseCommandTest, CompareSaysThatAPictureIsDenoised) {
+    scene_ = kTrustedScene;
     const std::string png = folder_ / "a.png";
     render({"--spp", "128", "--denoise", "oidn", "-o", picture_, "-o", png, "--stats", stats_});
     const std::string plain = folder_ / "plain.png";
@@ -265,7 +271,8 @@ TEST_F(DenoiseCommandTest, AnEmptyFilmIsRefused) {
     render({"--spp", "16", "--denoise", "oidn", "--film", film_});
     const KeptFilm kept = readFilm(film_);
     writeFilm(film_, kept.label,
-              Film(kept.film.width(), kept.film.height(), kept.film.unit(), ReplicaDetail::Color));
+              Film(kept.film.width(), kept.film.height(), kept.film.unit(), ReplicaDetail::Color),
+              kept.features);
     expectFailure(denoise(film_, output_), 3, "has no samples");
 }
 

@@ -135,6 +135,23 @@ TEST_F(DenoiseTest, AnInterruptEndsDenoising) {
     EXPECT_EQ(readExrPicture(picture_).channels.size(), 0u);
 }
 
+// The first preview is denoised; the second follows at once, while denoising took 0.3 s.
+TEST_F(DenoiseTest, DenoisesPreviewsWhereThatIsQuick) {
+    const std::string preview = folder_ / "preview.exr";
+    const auto previewOf = [&](const std::string& samples, const std::string& told) {
+        const ProgramResult result = render({"-o", picture_, "--spp", samples, "--preview-every",
+                                             "8", "--preview-file", preview, "-q"},
+                                            withFakeDenoiser(told));
+        EXPECT_EQ(result.exitCode, told == "fails" ? 1 : 0) << result.errors;
+        EXPECT_EQ(result.errors.find("a preview is not denoised") != std::string::npos,
+                  told == "fails");
+        return readExrPicture(preview).channels.size();
+    };
+    EXPECT_EQ(previewOf("8", "slow"), 3u) << "the layer noisy";
+    EXPECT_EQ(previewOf("16", "slow"), 0u);
+    EXPECT_EQ(previewOf("8", "fails"), 0u);
+}
+
 /// Tests of the denoised picture are skipped where the library is not installed.
 class DenoisedPictureTest : public DenoiseTest {
 protected:
