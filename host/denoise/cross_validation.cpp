@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include <glm/exponential.hpp>
+
 #include "base/check.h"
 #include "film/error_estimate.h"
 #include "film/looks.h"
@@ -125,18 +127,39 @@ public:
     double samples() const { return samples_; }
 
     /// The mean of all replicas but one; of all, if `left` is count().
+    glm::dvec3 meanWithout(size_t left, size_t pixel) const {
+        glm::dvec3 sum(0.0);
+        for (size_t i = 0; i < count(); ++i)
+            if (i != left)
+                sum += replicas_[i].samples * glm::dvec3(replicas_[i].mean.pixels[pixel]);
+        return sum / samplesWithout(left);
+    }
+
     Image meanWithout(size_t left) const {
         Image image(width(), height());
-        const double all = samplesWithout(left);
-        for (size_t pixel = 0; pixel < image.pixels.size(); ++pixel) {
-            glm::dvec3 sum(0.0);
-            for (size_t i = 0; i < count(); ++i)
-                if (i != left)
-                    sum += replicas_[i].samples * glm::dvec3(replicas_[i].mean.pixels[pixel]);
-            image.pixels[pixel] = glm::vec3(sum / all);
-        }
+        for (size_t pixel = 0; pixel < image.pixels.size(); ++pixel)
+            image.pixels[pixel] = glm::vec3(meanWithout(left, pixel));
         return image;
     }
+
+    /// Likewise, with the noise of that mean. The replica that is left out has no part in either.
+    NoisyImage pictureWithout(size_t left) const {
+        NoisyImage picture{meanWithout(left), Image(width(), height()), countWithout(left)};
+        const double divisor = static_cast<double>(countWithout(left) - 1) * samplesWithout(left);
+        for (size_t pixel = 0; pixel < picture.color.pixels.size(); ++pixel) {
+            const glm::dvec3 mean = meanWithout(left, pixel);
+            glm::dvec3 squares(0.0);
+            for (size_t i = 0; i < count(); ++i)
+                if (i != left) {
+                    const glm::dvec3 deviation = glm::dvec3(replicas_[i].mean.pixels[pixel]) - mean;
+                    squares += replicas_[i].samples * deviation * deviation;
+                }
+            picture.standardError.pixels[pixel] = glm::vec3(glm::sqrt(squares / divisor));
+        }
+        return picture;
+    }
+
+    size_t countWithout(size_t left) const { return count() - (left < count() ? 1 : 0); }
 
     double samplesWithout(size_t left) const {
         return samples_ - (left < count() ? replicas_[left].samples : 0.0);
@@ -144,7 +167,6 @@ public:
 
     /// The variance of the luminance of one sample, from the spread of all replicas but one.
     Plane varianceWithout(size_t left) const {
-        const size_t others = count() - (left < count() ? 1 : 0);
         Plane variances(replicas_.front().mean.pixels.size());
         for (size_t pixel = 0; pixel < variances.size(); ++pixel) {
             double sum = 0.0;
@@ -156,7 +178,7 @@ public:
                     squares += replicas_[i].samples * square(value);
                 }
             const double spread = squares - square(sum) / samplesWithout(left);
-            variances[pixel] = std::max(spread, 0.0) / static_cast<double>(others - 1);
+            variances[pixel] = std::max(spread, 0.0) / static_cast<double>(countWithout(left) - 1);
         }
         return variances;
     }
@@ -193,7 +215,7 @@ private:
     /// The denoised mean of all replicas but one; of all, if `left` is their number. It is the
     /// last.
     Image denoisedWithout(size_t left) const {
-        Image image = denoiser_.run(replicas_.meanWithout(left));
+        Image image = denoiser_.run(replicas_.pictureWithout(left));
         if (onProgress_)
             onProgress_(static_cast<double>(left + 1) / static_cast<double>(replicas_.count() + 1));
         return image;
@@ -215,7 +237,7 @@ private:
     /// will judge the blend, so it must not choose the weights.
     Image blended(const Image& denoised, size_t left) const {
         const bool isJudged = left < replicas_.count();
-        const auto judges = static_cast<double>(replicas_.count() - (isJudged ? 1 : 0));
+        const auto judges = static_cast<double>(replicas_.countWithout(left));
         Plane errors = errorSums_;
         Plane variances = isJudged ? sampleVariances_[left] : replicas_.varianceWithout(left);
         for (size_t i = 0; i < pixels_; ++i) {

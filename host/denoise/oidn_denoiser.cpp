@@ -55,10 +55,10 @@ void OidnDenoiser::setImage(const char* name, const Image& image) {
                                   OidnLibrary::kFloat3, image.width, image.height, 0, 0, 0);
 }
 
-Image OidnDenoiser::run(const Image& color) {
-    CALOTYPE_CHECK_EQ(color.width, color_.width);
-    CALOTYPE_CHECK_EQ(color.height, color_.height);
-    std::ranges::copy(color.pixels, color_.pixels.begin());
+Image OidnDenoiser::run(const NoisyImage& noisy) {
+    CALOTYPE_CHECK_EQ(noisy.color.width, color_.width);
+    CALOTYPE_CHECK_EQ(noisy.color.height, color_.height);
+    std::ranges::copy(noisy.color.pixels, color_.pixels.begin());
     library_.executeFilter(filter_.get());
     throwIfFailed();
     return output_;

@@ -21,10 +21,11 @@ public:
     OidnDenoiser(const OidnLibrary& library, std::optional<DenoiserFeatures> features,
                  const Image& typical, uint32_t threads);
 
-    Image run(const Image& color) override;
-
     /// "Open Image Denoise 2.5.1".
-    const std::string& name() const { return name_; }
+    std::string name() const override { return name_; }
+
+    /// Of the picture, only the colour matters.
+    Image run(const NoisyImage& noisy) override;
 
 private:
     void throwIfFailed() const;

@@ -69,7 +69,7 @@ CleanPicture PictureDenoiser::run(const Image& noisy,
                                   const std::optional<DenoiserFeatures>& features,
                                   uint32_t threads) const {
     OidnDenoiser denoiser(library_, features, noisy, threads);
-    return {denoiser.run(noisy), denoiser.name(), {}, ""};
+    return {denoiser.run({noisy, {}, 0}), denoiser.name(), {}, ""};
 }
 
 } // namespace calotype

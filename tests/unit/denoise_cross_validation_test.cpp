@@ -21,7 +21,10 @@ constexpr size_t kReplicaCount = 8;
 /// Mean over 5 x 5 pixels: little noise, and a bias at edges.
 class Blur : public Denoiser {
 public:
-    Image run(const Image& color) override {
+    std::string name() const override { return "blur"; }
+
+    Image run(const NoisyImage& noisy) override {
+        const Image& color = noisy.color;
         Image image(color.width, color.height);
         for (int y = 0; y < int(color.height); ++y)
             for (int x = 0; x < int(color.width); ++x) {
@@ -40,7 +43,19 @@ public:
 
 class Identity : public Denoiser {
 public:
-    Image run(const Image& color) override { return color; }
+    std::string name() const override { return "identity"; }
+    Image run(const NoisyImage& noisy) override { return noisy.color; }
+};
+
+/// Keeps the pictures that it is to denoise.
+class Recorder : public Identity {
+public:
+    Image run(const NoisyImage& noisy) override {
+        pictures.push_back(noisy);
+        return noisy.color;
+    }
+
+    std::vector<NoisyImage> pictures;
 };
 
 /// A bright square on a slope.
@@ -136,6 +151,32 @@ TEST(CrossValidationTest, BoundsAreQuantilesOfOneNormalDistribution) {
                 3.4084 / 1.645, 1e-6);
 }
 
+// A denoiser that uses the noise of its picture must not learn of it from the judge.
+TEST(CrossValidationTest, GivesTheNoiseOfThePictureAlone) {
+    constexpr size_t kCount = 4;
+    std::vector<ReplicaPicture> replicas = noisyReplicas(0.5, 16.0, 1);
+    replicas.resize(kCount);
+    Recorder recorder;
+    denoise(replicas, recorder);
+    ASSERT_EQ(recorder.pictures.size(), kCount + 1);
+    for (size_t left = 0; left <= kCount; ++left) {
+        const NoisyImage& noisy = recorder.pictures[left];
+        const auto count = double(left < kCount ? kCount - 1 : kCount);
+        EXPECT_EQ(double(noisy.replicas), count);
+        for (size_t pixel = 0; pixel < 100; ++pixel) {
+            double mean = 0.0;
+            for (size_t i = 0; i < kCount; ++i)
+                mean += (i != left ? replicas[i].mean.pixels[pixel].g : 0.0) / count;
+            double squares = 0.0;
+            for (size_t i = 0; i < kCount; ++i)
+                squares += i != left ? square(replicas[i].mean.pixels[pixel].g - mean) : 0.0;
+            EXPECT_NEAR(noisy.color.pixels[pixel].g, mean, 1e-6);
+            EXPECT_NEAR(noisy.standardError.pixels[pixel].g,
+                        std::sqrt(squares / (count * (count - 1.0))), 1e-6);
+        }
+    }
+}
+
 // The better of the two, or better than both.
 TEST(CrossValidationTest, IsNeverWorseThanSamplesOrDenoiser) {
     Blur blur;
@@ -144,7 +185,7 @@ TEST(CrossValidationTest, IsNeverWorseThanSamplesOrDenoiser) {
             const auto replicas = noisyReplicas(deviation, 16.0, seed);
             const double blended = trueError(denoise(replicas, blur).color);
             const double noisy = trueError(meanOf(replicas));
-            const double denoised = trueError(blur.run(meanOf(replicas)));
+            const double denoised = trueError(blur.run({meanOf(replicas), {}, 0}));
             EXPECT_LE(blended, 1.05 * std::min(noisy, denoised))
                 << deviation << ": samples " << noisy << ", denoiser " << denoised;
         }

@@ -66,21 +66,21 @@ protected:
 
 TEST_F(OidnTest, RemovesNoise) {
     OidnDenoiser denoiser(*library_, featuresOfTruth(), noisy(1), 0);
-    EXPECT_LT(meanSquaredError(denoiser.run(noisy(1))), 0.02 * meanSquaredError(noisy(1)));
+    EXPECT_LT(meanSquaredError(denoiser.run({noisy(1), {}, 0})), 0.02 * meanSquaredError(noisy(1)));
     EXPECT_EQ(denoiser.name().rfind("Open Image Denoise 2.", 0), 0u) << denoiser.name();
 }
 
 // Cross-validation compares pictures that went through the same function.
 TEST_F(OidnTest, DependsOnThePictureAlone) {
     OidnDenoiser denoiser(*library_, featuresOfTruth(), noisy(1), 0);
-    const Image first = denoiser.run(noisy(2));
+    const Image first = denoiser.run({noisy(2), {}, 0});
     Image bright = noisy(3);
     for (glm::vec3& pixel : bright.pixels)
         pixel *= 100.0f;
-    denoiser.run(bright);
-    EXPECT_EQ(denoiser.run(noisy(2)).pixels, first.pixels);
+    denoiser.run({bright, {}, 0});
+    EXPECT_EQ(denoiser.run({noisy(2), {}, 0}).pixels, first.pixels);
     OidnDenoiser other(*library_, featuresOfTruth(), noisy(1), 1);
-    EXPECT_EQ(other.run(noisy(2)).pixels, first.pixels) << "with one thread";
+    EXPECT_EQ(other.run({noisy(2), {}, 0}).pixels, first.pixels) << "with one thread";
 }
 
 TEST(OidnLibraryTest, SaysHowToGetIt) {
