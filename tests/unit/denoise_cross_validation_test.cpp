@@ -7,9 +7,11 @@
 
 #include <gtest/gtest.h>
 
+#include "denoise/statistical_denoiser.h"
 #include "film/error_estimate.h"
 #include "math/luminance.h"
 #include "math/square.h"
+#include "support/slow_run.h"
 
 namespace calotype {
 namespace {
@@ -111,15 +113,14 @@ struct Honesty {
     double kept = 0.0;
 };
 
-Honesty honestyOf(Denoiser& denoiser, double deviation, double samples) {
-    constexpr uint32_t kPictures = 60;
+Honesty honestyOf(Denoiser& denoiser, double deviation, double samples, uint32_t pictures = 60) {
     Honesty honesty;
-    for (uint32_t seed = 1; seed <= kPictures; ++seed) {
+    for (uint32_t seed = 1; seed <= pictures; ++seed) {
         const auto picture = denoise(noisyReplicas(deviation, samples, seed), denoiser);
         const double error = trueError(picture.color);
-        honesty.stated += square(picture.error->relative) / kPictures;
-        honesty.actual += square(error) / kPictures;
-        honesty.kept += (error <= picture.error->bound ? 1.0 : 0.0) / kPictures;
+        honesty.stated += square(picture.error->relative) / pictures;
+        honesty.actual += square(error) / pictures;
+        honesty.kept += (error <= picture.error->bound ? 1.0 : 0.0) / pictures;
     }
     honesty.stated = std::sqrt(honesty.stated);
     honesty.actual = std::sqrt(honesty.actual);
@@ -176,6 +177,18 @@ TEST(CrossValidationTest, GivesTheNoiseOfThePictureAlone) {
         }
     }
 }
+
+// Its error is that of its own mistakes, and of the noise that it leaves.
+TEST(CrossValidationTest, StatesTheTrueErrorOfTheStatisticalDenoiser) {
+    StatisticalDenoiser denoiser({Image(kWidth, kHeight), Image(kWidth, kHeight)}, 0);
+    const auto pictures = static_cast<uint32_t>(test::quickOrFull(4, 60));
+    const Honesty honesty = honestyOf(denoiser, 0.5, 4.0, pictures);
+    // As above, with three standard errors of the mean of four pictures.
+    EXPECT_GT(honesty.stated / honesty.actual, test::quickOrFull(0.90, 0.98));
+    EXPECT_LT(honesty.stated / honesty.actual, test::quickOrFull(1.17, 1.09));
+    EXPECT_GE(honesty.kept, test::quickOrFull(0.5, 0.9));
+}
+ALSO_SLOW_TEST(CrossValidationTest, StatesTheTrueErrorOfTheStatisticalDenoiser);
 
 // The better of the two, or better than both.
 TEST(CrossValidationTest, IsNeverWorseThanSamplesOrDenoiser) {
