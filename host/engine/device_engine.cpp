@@ -5,6 +5,7 @@
 #include "engine/stage_seconds.h"
 #include "render/feature_pass.h"
 #include "render/first_hit_pass.h"
+#include "render/statistical_pass.h"
 
 namespace calotype {
 namespace {
@@ -20,11 +21,19 @@ GpuScene compile(const Scene& scene, const EngineRequest& request, BvhBuilder& b
     return std::move(compiled.packed);
 }
 
+/// Bytes that denoising needs on the device.
+uint64_t denoiserBytes(const RenderSettings& settings) {
+    return settings.denoiser == DenoiserKind::Statistical
+               ? statisticalPassBytes(settings.crop.width, settings.crop.height)
+               : 0;
+}
+
 /// Throws GpuError if the device does not have enough memory.
 uint64_t requiredBytes(const Device& device, const GpuScene& packed, const EngineRequest& request) {
     const uint64_t bytes = packed.bytes() + pathTracerBytes(device, request.settings) +
                            (request.wantsFirstHits ? firstHitPassBytes(request.settings) : 0) +
-                           (request.wantsFeatures ? featurePassBytes(request.settings) : 0);
+                           (request.wantsFeatures ? featurePassBytes(request.settings) : 0) +
+                           denoiserBytes(request.settings);
     requireMemory(device, bytes);
     return bytes;
 }

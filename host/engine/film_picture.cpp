@@ -21,6 +21,8 @@ CleanPicture denoiseFilm(const PictureDenoiser& denoiser, const std::string& pat
                   "of it with calotype merge and denoise that, whose error is not stated then");
     if (kept.film.blocks().empty())
         throw SceneError(path, "the film cannot be denoised: it has no samples; render more");
+    if (const std::string why = denoiser.whyTooFewSamples(kept.film); !why.empty())
+        throw SceneError(path, "the film cannot be denoised: " + why);
     return denoiser.run(kept.film, kept.film.picture(), kept.features, threads, onProgress);
 }
 

@@ -1,16 +1,27 @@
 #include "engine/picture_denoiser.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "base/check.h"
 #include "base/error.h"
 #include "denoise/oidn_denoiser.h"
+#include "denoise/statistical_denoiser.h"
+#include "engine/devices.h"
 #include "film/error_estimate.h"
+#include "render/statistical_pass.h"
 #include "shared/limits.h"
 
 namespace calotype {
 namespace {
+
+uint32_t replicaCount(const Film& film) {
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < shared::kReplicas; ++i)
+        count += film.samplesOfReplica(i) > 0 ? 1 : 0;
+    return count;
+}
 
 std::vector<ReplicaPicture> replicasOf(const Film& film) {
     std::vector<ReplicaPicture> replicas;
@@ -38,38 +49,64 @@ std::string whyUnstatedFor(const Film& film, const std::optional<DenoisedError>&
 
 } // namespace
 
-PictureDenoiser::PictureDenoiser(DenoiserKind kind, const std::string& library)
-    : library_(library) {
-    CALOTYPE_CHECK_EQ(kind == DenoiserKind::Oidn, true);
+PictureDenoiser::PictureDenoiser(DenoiserKind kind, const std::string& library,
+                                 DeviceKeeper* device)
+    : kind_(kind), device_(device) {
+    if (kind != DenoiserKind::Oidn)
+        return;
+    library_.emplace(library);
     try { // now, not after the render
-        OidnDenoiser(library_, std::nullopt, Image(1, 1), 1);
+        OidnDenoiser(*library_, std::nullopt, Image(1, 1), 1);
     } catch (const Error& error) {
         throw SettingError("denoise", std::string("cannot be used here: ") + error.what());
     }
 }
 
+std::string PictureDenoiser::whyTooFewSamples(const Film& film) const {
+    if (!needsReplicas() || replicaCount(film) >= kLeastReplicas)
+        return "";
+    return "the statistical denoiser needs at least " +
+           std::to_string(kLeastReplicas * shared::kSamplesPerBlock) + " samples per pixel";
+}
+
 CleanPicture PictureDenoiser::run(const Film& film, const Image& noisy,
                                   const std::optional<DenoiserFeatures>& features, uint32_t threads,
                                   const OnProgress& onProgress) const {
+    if (!whyTooFewSamples(film).empty())
+        return {noisy, "", {}, whyUnstatedFor(film, {})};
     const std::vector<ReplicaPicture> replicas = replicasOf(film);
     if (replicas.size() < kLeastReplicas) {
         CleanPicture picture = run(noisy, features, threads);
         picture.whyUnstated = whyUnstatedFor(film, {});
         return picture;
     }
-    OidnDenoiser denoiser(library_, features, noisy, threads);
-    DenoisedPicture picture = denoise(replicas, denoiser, onProgress);
+    const auto denoiser = denoiserFor(features, noisy, threads);
+    DenoisedPicture picture = denoise(replicas, *denoiser, onProgress);
     std::string whyUnstated = whyUnstatedFor(film, picture.error);
     const bool isStated = whyUnstated.empty();
-    return {std::move(picture.color), denoiser.name(), isStated ? picture.error : std::nullopt,
+    return {std::move(picture.color), denoiser->name(), isStated ? picture.error : std::nullopt,
             std::move(whyUnstated)};
 }
 
 CleanPicture PictureDenoiser::run(const Image& noisy,
                                   const std::optional<DenoiserFeatures>& features,
                                   uint32_t threads) const {
-    OidnDenoiser denoiser(library_, features, noisy, threads);
-    return {denoiser.run({noisy, {}, 0}), denoiser.name(), {}, ""};
+    CALOTYPE_CHECK_EQ(needsReplicas(), false);
+    const auto denoiser = denoiserFor(features, noisy, threads);
+    return {denoiser->run({noisy, {}, 0}), denoiser->name(), {}, ""};
+}
+
+std::unique_ptr<Denoiser>
+PictureDenoiser::denoiserFor(const std::optional<DenoiserFeatures>& features, const Image& typical,
+                             uint32_t threads) const {
+    if (kind_ == DenoiserKind::Oidn)
+        return std::make_unique<OidnDenoiser>(*library_, features, typical, threads);
+    const Image black(typical.width, typical.height);
+    DenoiserFeatures known = features.value_or(DenoiserFeatures{black, black});
+    if (!device_ || isReference(device_->options()))
+        return std::make_unique<StatisticalDenoiser>(std::move(known), threads);
+    return std::make_unique<StatisticalPass>(device_->session()->device(), std::move(known),
+                                             threads);
 }
 
 } // namespace calotype

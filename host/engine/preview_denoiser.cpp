@@ -10,7 +10,7 @@ constexpr double kMostShare = 0.1; ///< of the interval
 } // namespace
 
 std::optional<CleanPicture> PreviewDenoiser::run(const Image& picture, double interval) {
-    if (!denoiser_ || (seconds_ && *seconds_ > kMostShare * interval))
+    if (!denoiser_ || denoiser_->needsReplicas() || (seconds_ && *seconds_ > kMostShare * interval))
         return std::nullopt;
     return timed(seconds_.emplace(), [&] { return denoiser_->run(picture, features_, threads_); });
 }

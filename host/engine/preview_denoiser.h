@@ -17,8 +17,8 @@ public:
         : denoiser_(denoiser), features_(features), threads_(threads) {}
 
     /// The picture so far after denoising, without an error; none if denoising took more than a
-    /// tenth of `interval` the last time. `interval`: seconds since the preview before. The first
-    /// preview is always denoised. Throws Error.
+    /// tenth of `interval` the last time, or if the denoiser needs replicas. `interval`: seconds
+    /// since the preview before. The first preview is else always denoised. Throws Error.
     std::optional<CleanPicture> run(const Image& picture, double interval);
 
 private:

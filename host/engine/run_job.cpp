@@ -65,7 +65,7 @@ public:
         const std::vector<std::filesystem::path> folders = outputFolders();
         std::optional<PictureDenoiser> denoiser;
         if (settings_.denoiser != DenoiserKind::Off)
-            denoiser.emplace(settings_.denoiser, device_.options().denoiserLibrary);
+            denoiser.emplace(settings_.denoiser, device_.options().denoiserLibrary, &device_);
         FilmKeeper keeper(job_.film, labelOf(scene_, settings_), settings_.crop,
                           denoiser ? ReplicaDetail::Color : ReplicaDetail::Luminance, folders,
                           [&](const std::string& warning) { warn(warning); });
@@ -248,6 +248,10 @@ private:
                                       std::optional<DenoisedGoal>& goal, Session& session,
                                       const std::optional<DenoiserFeatures>& features) {
         seconds_.denoise = goal ? goal->seconds() : 0.0;
+        if (const std::string why = denoiser.whyTooFewSamples(*session.evenFilm()); !why.empty()) {
+            warn("the picture is not denoised: " + why);
+            return nullptr;
+        }
         const Clock::time_point before = Clock::now();
         try {
             if (result_.ending == RenderEnding::Stopped)

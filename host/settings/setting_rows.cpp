@@ -73,16 +73,18 @@ void addPicture(std::vector<Setting>& rows) {
                  const Crop& crop = settings.crop;
                  return Json({crop.x, crop.y, crop.width, crop.height});
              }});
-    static constexpr Named<DenoiserKind> kDenoisers[] = {named(DenoiserKind::Off),
-                                                         named(DenoiserKind::Oidn)};
-    rows.push_back(choice({.name = "denoise",
-                           .help = "Remove the noise of the finished picture, and state its error: "
-                                   "off (default, unless the scene says otherwise), or oidn (Open "
-                                   "Image Denoise 2)",
-                           .group = SettingGroup::Picture,
-                           .commands = kRenderCommand | kMergeCommand,
-                           .isOfScene = true},
-                          kDenoisers, [](auto& settings) -> auto& { return settings.denoiser; }));
+    static constexpr Named<DenoiserKind> kDenoisers[] = {
+        named(DenoiserKind::Off), named(DenoiserKind::Oidn), named(DenoiserKind::Statistical)};
+    rows.push_back(
+        choice({.name = "denoise",
+                .help = "Remove the noise of the finished picture, and state its error: "
+                        "off (default, unless the scene says otherwise), oidn (Open Image "
+                        "Denoise 2), or statistical, which mixes only pixels whose "
+                        "difference may be noise",
+                .group = SettingGroup::Picture,
+                .commands = kRenderCommand | kMergeCommand,
+                .isOfScene = true},
+               kDenoisers, [](auto& settings) -> auto& { return settings.denoiser; }));
 }
 
 void addEnd(std::vector<Setting>& rows) {

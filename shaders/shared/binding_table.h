@@ -27,6 +27,9 @@ BINDING(ParkedTasks) // storage buffer: a ParkedTask for each task of each lane
 BINDING(Rays)        // storage buffer of ListedRay
 BINDING(ListedHits)  // storage buffer of ListedHit
 BINDING(Tiles)       // storage buffer: numbers of the tiles to render, in the order to take them
+BINDING(NoisyPixels) // texel buffer: rows of DenoiserPixel
+BINDING(WeightSums)  // storage buffer: a float for each of the noisy pixels
+BINDING(CleanPixels) // storage buffer: a vec4 for each of the noisy pixels
 END_BINDINGS
 #undef BEGIN_BINDINGS
 #undef SCENE_ARRAY

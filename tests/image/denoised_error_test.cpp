@@ -57,8 +57,9 @@ private:
 /// Pictures of one scene, of a square size.
 class DenoisedPictures {
 public:
-    DenoisedPictures(const std::string& scene, uint32_t side)
-        : renderer_(projectScene(scene), options()), settings_(renderer_.defaultSettings()) {
+    DenoisedPictures(const std::string& scene, uint32_t side, DenoiserKind kind)
+        : kind_(kind), renderer_(projectScene(scene), options()),
+          settings_(renderer_.defaultSettings()) {
         settings_.width = settings_.height = side;
         settings_.samplesPerPixel = 128;
         settings_.targetError = {};
@@ -66,7 +67,7 @@ public:
     }
 
     RenderResult denoised(uint32_t seed) {
-        settings_.denoiser = DenoiserKind::Oidn;
+        settings_.denoiser = kind_;
         settings_.seed = seed;
         return renderer_.render(settings_);
     }
@@ -90,6 +91,7 @@ private:
         return options;
     }
 
+    DenoiserKind kind_;
     Renderer renderer_;
     RenderSettings settings_;
 };
@@ -115,9 +117,7 @@ struct Honesty {
 };
 
 // The stated error is that of seven eighths of the samples: up to sqrt(8 / 7) = 1.07 too large.
-TEST(DenoisedErrorTest, IsTheTrueError) {
-    if (!testDenoiser())
-        GTEST_SKIP() << "Open Image Denoise is not installed";
+void expectTrueError(DenoiserKind kind) {
     const uint32_t pictures = quickOrFull(8u, 40u);
     const uint32_t side = quickOrFull(48u, 64u);
     std::vector<std::string> scenes = {"scenes/cornell-box.json"};
@@ -126,7 +126,7 @@ TEST(DenoisedErrorTest, IsTheTrueError) {
                       {"scenes/atelier.json", "scenes/dielectric.json", "scenes/texture.json"});
     for (const std::string& scene : scenes) {
         SCOPED_TRACE(scene);
-        DenoisedPictures source(scene, side);
+        DenoisedPictures source(scene, side, kind);
         const Truth truth = source.truth(quickOrFull(512u, 4096u));
         Honesty honesty;
         for (uint32_t seed = 1; seed <= pictures; ++seed)
@@ -148,7 +148,18 @@ TEST(DenoisedErrorTest, IsTheTrueError) {
         EXPECT_GE(honesty.withinShare(), quickOrFull(0.75, 0.9));
     }
 }
+
+TEST(DenoisedErrorTest, IsTheTrueError) {
+    if (!testDenoiser())
+        GTEST_SKIP() << "Open Image Denoise is not installed";
+    expectTrueError(DenoiserKind::Oidn);
+}
 ALSO_SLOW_TEST(DenoisedErrorTest, IsTheTrueError);
+
+TEST(DenoisedErrorTest, IsTheTrueErrorOfTheStatisticalDenoiser) {
+    expectTrueError(DenoiserKind::Statistical);
+}
+ALSO_SLOW_TEST(DenoisedErrorTest, IsTheTrueErrorOfTheStatisticalDenoiser);
 
 } // namespace
 } // namespace calotype::test

@@ -11,8 +11,8 @@ namespace {
 const std::array<std::string, 4> kFilters = {"box", "tent", "gaussian", "blackman-harris"};
 
 /// In the order of DenoiserKind.
-const std::array<std::string, 2> kDenoisers = {nameOf(DenoiserKind::Off),
-                                               nameOf(DenoiserKind::Oidn)};
+const std::array<std::string, 3> kDenoisers = {
+    nameOf(DenoiserKind::Off), nameOf(DenoiserKind::Oidn), nameOf(DenoiserKind::Statistical)};
 
 JsonKey wholeKey(const char* name, const ranges::WholeRange& range, uint32_t otherwise,
                  const char* description) {
@@ -50,7 +50,8 @@ const JsonObjectType& renderObject() {
                      "light. Mitsuba's max_depth is this plus one."),
             wholeKey("seed", ranges::kSeed, otherwise.seed, "Chooses the random numbers."),
             JsonKey("denoise", choiceType(kDenoisers),
-                    "What removes the noise of the finished picture: oidn is Open Image Denoise 2.")
+                    "What removes the noise of the finished picture: oidn is Open Image Denoise 2, "
+                    "statistical mixes only pixels whose difference may be noise.")
                 .orElseJson("\"off\""),
         },
         {},
