@@ -138,8 +138,7 @@ private:
         std::fprintf(stderr, "%s: denoised by %s in %s, %s\n", listed(options_.outputs).c_str(),
                      clean_.denoiser.c_str(), durationText(seconds_.denoise).c_str(),
                      errorText(clean_).c_str());
-        if (!options_.display.exposureStops)
-            std::fprintf(stderr, "%s\n", exposureText(exposureOf(image)).c_str());
+        printExposure(options_.outputs, chosenExposure(options_.display, image));
     }
 
     std::string statisticsOf(const Image& image) const {

@@ -93,6 +93,8 @@ int mergeCommand(const MergeOptions& options) {
     std::optional<CleanPicture> clean;
     if (denoiser)
         clean = denoised(*denoiser, options, joined);
+    const auto exposure =
+        chosenExposure(options.display, clean ? clean->color : joined.film.picture());
     OutputFailures failures;
     for (const std::string& path : options.outputs)
         failures.attempt([&] {
@@ -103,6 +105,7 @@ int mergeCommand(const MergeOptions& options) {
                 writeFilm(path, joined.label, joined.film, joined.features);
         });
     failures.throwIfAny();
+    printExposure(options.outputs, exposure);
     return kExitDone;
 }
 

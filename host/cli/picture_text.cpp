@@ -1,8 +1,10 @@
 #include "cli/picture_text.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "base/number_text.h"
+#include "image/image_format.h"
 
 namespace calotype {
 
@@ -16,11 +18,17 @@ std::string withBoundText(const DenoisedError& error) {
 
 std::string unstatedText(const std::string& why) { return "error not stated: " + why; }
 
-std::string exposureText(float stops) {
-    char text[80];
-    std::snprintf(text, sizeof(text),
-                  "exposure: %.1f stops; --exposure %.1f gives the same picture", stops, stops);
-    return text;
+void printExposure(const std::vector<std::string>& outputs, const std::optional<float>& chosen) {
+    const auto isPng = [](const std::string& path) {
+        return imageFormatOf(path) == ImageFormat::Png;
+    };
+    if (chosen && std::ranges::any_of(outputs, isPng))
+        std::fprintf(stderr, "exposure: %.1f stops; --exposure %.1f gives the same picture\n",
+                     *chosen, *chosen);
+}
+
+std::optional<float> chosenExposure(const DisplayTransform& display, const Image& picture) {
+    return display.exposureStops ? std::nullopt : std::optional(exposureOf(picture));
 }
 
 } // namespace calotype

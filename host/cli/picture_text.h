@@ -1,8 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/picture_denoiser.h"
+#include "film/display_transform.h"
 
 namespace calotype {
 
@@ -15,7 +18,11 @@ std::string withBoundText(const DenoisedError& error);
 /// "error not stated: too few samples to tell".
 std::string unstatedText(const std::string& why);
 
-/// "exposure: 1.3 stops; --exposure 1.3 gives the same picture".
-std::string exposureText(float stops);
+/// Prints "exposure: 1.3 stops; --exposure 1.3 gives the same picture" on standard error, if there
+/// is a PNG among the outputs, and its exposure was chosen.
+void printExposure(const std::vector<std::string>& outputs, const std::optional<float>& chosen);
+
+/// The exposure that `display` leaves to the picture; none if it does not.
+std::optional<float> chosenExposure(const DisplayTransform& display, const Image& picture);
 
 } // namespace calotype

@@ -63,6 +63,8 @@ void warnOfGoal(const RenderResult& result) {
     const auto& error = result.totals.error;
     if (!target || result.ending == RenderEnding::TargetError)
         return;
+    if (result.denoised && result.denoised->upperBound <= *target)
+        return;
     std::string found;
     if (result.denoised)
         found = ": after denoising it is " + percentText(result.denoised->relative) +
@@ -100,9 +102,9 @@ void reportRender(const RenderOptions& options, const RenderResult& result) {
     if (options.quiet)
         return;
     if (totals.paths == 0) {
-        std::fprintf(stderr, "%s: %s; the film holds all of them, and nothing was rendered\n",
-                     placesOf(options).c_str(), samples.c_str());
-        return;
+        std::fprintf(stderr, "%s: %s; the film holds all of them, and nothing was rendered%s\n",
+                     placesOf(options).c_str(), samples.c_str(), denoisedText(result).c_str());
+        return printExposure(options.output.pictures, result.exposureStops);
     }
     const auto rate = [&](uint64_t count) {
         return totals.seconds > 0.0 ? withPrefix(static_cast<double>(count) / totals.seconds)
@@ -113,8 +115,7 @@ void reportRender(const RenderOptions& options, const RenderResult& result) {
                  totals.error ? (", error" + estimateText(*totals.error)).c_str() : "",
                  denoisedText(result).c_str(), rate(totals.paths).c_str(),
                  rate(totals.rays).c_str());
-    if (result.exposureStops)
-        std::fprintf(stderr, "%s\n", exposureText(*result.exposureStops).c_str());
+    printExposure(options.output.pictures, result.exposureStops);
 }
 
 } // namespace calotype

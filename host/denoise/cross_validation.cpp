@@ -264,7 +264,7 @@ private:
                              static_cast<double>(replicas_.count());
         }
         const TileMean share = meanOfTiles(shares, color.width, color.height);
-        if (share.tiles < kLeastTiles)
+        if (!canStateError(color.width, color.height))
             return std::nullopt;
         const auto above = [&](double quantile) {
             return relativeError(std::max(share.mean + quantile * share.standardError, 0.0));
@@ -283,6 +283,11 @@ private:
 };
 
 } // namespace
+
+bool canStateError(uint32_t width, uint32_t height) {
+    const auto tilesAlong = [](uint32_t side) { return (size_t{side} + kTile - 1) / kTile; };
+    return tilesAlong(width) * tilesAlong(height) >= kLeastTiles;
+}
 
 DenoisedPicture denoise(std::span<const ReplicaPicture> replicas, Denoiser& denoiser,
                         const std::function<void(double)>& onProgress) {

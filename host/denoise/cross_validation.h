@@ -19,8 +19,11 @@ struct ReplicaPicture {
 
 struct DenoisedPicture {
     Image color;
-    std::optional<DenoisedError> error; ///< none for fewer than 8 tiles of 16 x 16 pixels
+    std::optional<DenoisedError> error; ///< none unless canStateError
 };
+
+/// Whether the error of a picture of this size can be stated: it has at least 8 tiles.
+bool canStateError(uint32_t width, uint32_t height);
 
 /// The number of replicas that denoise needs: the variance of a replica is taken from at least two
 /// others.

@@ -1,10 +1,12 @@
 #include "engine/denoised_goal.h"
 
+#include <algorithm>
 #include <exception>
 #include <utility>
 
 #include "base/error.h"
 #include "base/stopwatch.h"
+#include "math/square.h"
 
 namespace calotype {
 
@@ -18,8 +20,8 @@ std::optional<DenoisedError> DenoisedGoal::errorOf(const Film& film,
         picture_ = denoiser_.run(film, film.picture(), features_, threads_, onProgress);
     } catch (const Interrupted&) {
         return std::nullopt;
-    } catch (const std::exception&) { // the render goes on; denoising its end will fail again
-        hasFailed_ = true;
+    } catch (const std::exception&) {
+        failure_ = std::current_exception();
         return std::nullopt;
     }
     samples_ = film.samplesPerPixel();
@@ -31,13 +33,16 @@ std::optional<DenoisedError> DenoisedGoal::errorOf(const Film& film,
 
 bool DenoisedGoal::isDue(uint64_t samples) const {
     if (!picture_)
-        return !hasFailed_;
+        return !failure_;
     if (secondsSince(lastEnd_) < lastSeconds_)
         return false;
     if (!picture_->error)
         return true;
-    const double ratio = picture_->error->upperBound / targetError_;
-    return static_cast<double>(samples) >= static_cast<double>(samples_) * ratio * ratio;
+    // One uncertain bound must not put off the next look for long.
+    constexpr double kMostGrowth = 2.0;
+    const double growth = square(picture_->error->upperBound / targetError_);
+    return static_cast<double>(samples) >=
+           static_cast<double>(samples_) * std::min(growth, kMostGrowth);
 }
 
 std::optional<CleanPicture> DenoisedGoal::take(const Film& film) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <exception>
 #include <optional>
 
 #include "engine/picture_denoiser.h"
@@ -18,22 +19,25 @@ public:
                  const std::optional<DenoiserFeatures>& features, uint32_t threads)
         : targetError_(targetError), denoiser_(denoiser), features_(features), threads_(threads) {}
 
-    /// The error of the film after denoising. None where it is above the target anyway, where
-    /// denoising would take more than half of the time, where nobody can state the error, or if
-    /// denoising fails. `onProgress` as for PictureDenoiser::run; it may throw Interrupted to end
-    /// the work.
+    /// The error of the film after denoising. None where it is most likely above the target, until
+    /// as much time has passed as denoising took before, where nobody can state the error, or if
+    /// denoising fails: then the render should end. `onProgress` as for PictureDenoiser::run; it
+    /// may throw Interrupted to end the work.
     std::optional<DenoisedError> errorOf(const Film& film,
                                          const PictureDenoiser::OnProgress& onProgress);
 
     /// The picture of the last errorOf, if the film had as many samples as now.
     std::optional<CleanPicture> take(const Film& film);
 
+    /// Why denoising failed; null if it did not.
+    std::exception_ptr failure() const { return failure_; }
+
     double seconds() const { return seconds_; } ///< of denoising, all together
 
 private:
     using Clock = std::chrono::steady_clock;
 
-    /// Errors fall no faster than with the root of the samples: after denoising rather slower.
+    /// Errors fall with the root of the samples, or slower.
     bool isDue(uint64_t samples) const;
 
     double targetError_;
@@ -41,7 +45,7 @@ private:
     const std::optional<DenoiserFeatures>& features_;
     uint32_t threads_;
     std::optional<CleanPicture> picture_;
-    bool hasFailed_ = false;
+    std::exception_ptr failure_;
     uint64_t samples_ = 0; ///< per pixel, of `picture_`
     double seconds_ = 0.0;
     double lastSeconds_ = 0.0; ///< of denoising `picture_`

@@ -36,7 +36,10 @@ public:
     /// What denoisers use: of the film to continue, if it has it.
     const std::optional<DenoiserFeatures>& features() const { return features_; }
     /// To be called before `begin`, with ReplicaDetail::Color.
-    void setFeatures(DenoiserFeatures features) { features_ = std::move(features); }
+    void setFeatures(DenoiserFeatures features) {
+        features_ = std::move(features);
+        blocksInFile_.reset();
+    }
 
     /// The film to continue, or an empty one of this size. A new film is written at once, so that
     /// there is a file whenever the program is killed. Throws SceneError if the film was made with
@@ -47,8 +50,8 @@ public:
     /// render continues.
     void checkpoint(const Film& film);
 
-    /// Writes the film, unless its file holds these samples already. Throws OutputError, which says
-    /// where the film is kept instead.
+    /// Writes the film, unless its file holds these samples and features already. Throws
+    /// OutputError, which says where the film is kept instead.
     void save(const Film& film);
 
 private:
@@ -68,8 +71,9 @@ private:
     OnWarning onWarning_;
     std::string lastWarning_;
     std::string device_;
-    uint64_t blocksBefore_ = 0;                 ///< blocks of the film at the start
-    std::optional<uint64_t> blocksInFile_ = {}; ///< none: the file at `path` is not this film's
+    uint64_t blocksBefore_ = 0; ///< blocks of the film at the start
+    /// None: the file at `path` is not this film's, or lacks its features.
+    std::optional<uint64_t> blocksInFile_ = {};
     std::string continuedPath_;
     std::optional<KeptFilm> continued_;
     std::optional<DenoiserFeatures> features_;

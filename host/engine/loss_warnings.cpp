@@ -17,7 +17,7 @@ std::vector<std::string> lossWarnings(const FilmLosses& losses, uint64_t cutPixe
                     "through, and show one of those as if it were opaque");
     warn(cutFeatureRays,
          "rays of the averaged layers (of --aov and for denoising) were cut short by "
-         "the device's loop limit behind too many transparent surfaces, and show "
+         "the device's loop limit behind too many transparent or mirroring surfaces, and show "
          "one of those as if it were opaque, or nothing");
     warn(losses.lostPixels(), "blocks of samples were too bright for the film and count as black");
     return warnings;

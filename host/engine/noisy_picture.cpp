@@ -34,6 +34,16 @@ void requireExr(const std::filesystem::path& path) {
                          "; films and EXR files can be denoised");
 }
 
+/// A small file can claim any size.
+void requireArea(const std::filesystem::path& path) {
+    const ImageSize size = checkExr(path);
+    if (uint64_t{size.width} * size.height > kMostPicturePixels)
+        throw SceneError(path.string(),
+                         "the picture has " + std::to_string(size.width) + " x " +
+                             std::to_string(size.height) + " pixels, more than the " +
+                             std::to_string(kMostPicturePixels) + " that can be denoised");
+}
+
 /// Three channels of floats; none if the picture lacks one of them.
 std::optional<Image> imageOf(const Picture& picture, const std::vector<std::string>& names) {
     Image image(picture.color.width, picture.color.height);
@@ -119,6 +129,7 @@ void requireFinite(const Image& image, const std::string& path) {
 
 NoisyPicture readNoisyPicture(const std::filesystem::path& path) {
     requireExr(path);
+    requireArea(path);
     NoisyPicture noisy{readExrPicture(path), {}, ""};
     undoDenoising(noisy.picture, path.string());
     requireFinite(noisy.picture.color, path.string());

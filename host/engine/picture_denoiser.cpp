@@ -80,7 +80,7 @@ CleanPicture PictureDenoiser::run(const Film& film, const Image& noisy,
         picture.whyUnstated = whyUnstatedFor(film, {});
         return picture;
     }
-    const auto denoiser = denoiserFor(features, noisy, threads);
+    const auto denoiser = denoiserFor(features, film.picture(), threads);
     DenoisedPicture picture = denoise(replicas, *denoiser, onProgress);
     std::string whyUnstated = whyUnstatedFor(film, picture.error);
     const bool isStated = whyUnstated.empty();

@@ -199,7 +199,9 @@ private:
             lastPreview = Clock::now();
         };
         RenderObserver observer;
-        observer.shouldStop = [&] { return isStopped(); };
+        observer.shouldStop = [&] {
+            return isStopped() || (denoisedGoal && denoisedGoal->failure());
+        };
         observer.onDispatch = [&](const RenderTotals& totals) {
             if (callbacks_.onSamples)
                 callbacks_.onSamples(plan, totals);
@@ -225,7 +227,7 @@ private:
         std::optional<CleanPicture> clean;
         try {
             clean = denoiser.run(session.picture(), interval);
-        } catch (const Error& error) {
+        } catch (const std::exception& error) {
             warn("a preview is not denoised: " + std::string(error.what()));
         }
         try {
@@ -248,14 +250,17 @@ private:
                                       std::optional<DenoisedGoal>& goal, Session& session,
                                       const std::optional<DenoiserFeatures>& features) {
         seconds_.denoise = goal ? goal->seconds() : 0.0;
-        if (const std::string why = denoiser.whyTooFewSamples(*session.evenFilm()); !why.empty()) {
-            warn("the picture is not denoised: " + why);
-            return nullptr;
-        }
+        if (goal && goal->failure())
+            return goal->failure();
         const Clock::time_point before = Clock::now();
         try {
             if (result_.ending == RenderEnding::Stopped)
                 throw Interrupted();
+            const std::string why = denoiser.whyTooFewSamples(*session.evenFilm());
+            if (!why.empty()) {
+                warn("the picture is not denoised: " + why);
+                return nullptr;
+            }
             if (callbacks_.onSamples)
                 callbacks_.onSamples(result_.plan, result_.totals);
             reportDenoising(0.0);

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "denoise/cross_validation.h"
 #include "engine/devices.h"
 #include "image/image.h"
 #include "settings/limits.h"
@@ -82,6 +83,12 @@ void requireRenderable(const RenderSettings& settings, const DeviceOptions& devi
     if (settings.isAdaptive && settings.denoiser != DenoiserKind::Off)
         throw SettingError("denoise", "needs as many samples in every pixel, and --adaptive gives "
                                       "some more than others; leave out one of them");
+    if (settings.targetError && settings.denoiser != DenoiserKind::Off &&
+        !canStateError(settings.crop.width, settings.crop.height))
+        throw SettingError("target_error",
+                           "cannot be judged after denoising: the picture has fewer "
+                           "than 8 tiles of 16 x 16 pixels; render a larger one, "
+                           "or without --denoise");
     requireKnownTo(device, settings);
 }
 

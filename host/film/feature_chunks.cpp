@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <span>
 #include <stdexcept>
 
@@ -51,6 +52,8 @@ void decompress(std::string_view compressed, std::span<float> floats) {
             bits |= uint32_t{static_cast<unsigned char>(planes[byte * floats.size() + i])}
                     << 8 * byte;
         floats[i] = std::bit_cast<float>(bits);
+        if (!std::isfinite(floats[i]))
+            throw std::out_of_range("features");
     }
 }
 

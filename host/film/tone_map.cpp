@@ -84,7 +84,8 @@ double agxCurve(double channel) {
 /// The channels in less saturated primaries, each through a curve, and back. The result is encoded
 /// for a display of gamma 2.2, which is undone here.
 ///
-/// Source: Sobotka, AgX, 2022 (github.com/sobotka/AgX), its base without a look.
+/// Sources: Sobotka, AgX, 2022 (github.com/sobotka/AgX) for the primaries and the curve, without a
+/// look; Wrensch, "Minimal AgX Implementation", 2023 (iolite-engine.com) for the way back.
 glm::vec3 agx(const glm::vec3& color) {
     const glm::dvec3 inset = AgxPrimaries::inset(glm::dvec3(color));
     const glm::dvec3 curved(agxCurve(inset.r), agxCurve(inset.g), agxCurve(inset.b));

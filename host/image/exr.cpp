@@ -210,10 +210,15 @@ Picture readPicture(const std::filesystem::path& path, bool wantsAll) {
         picture.metadata = metadataOf(file.header());
         picture.crop = cropOf(file.header());
     }
-    // Memory grows with the decoded rows, because a small file can claim any size.
-    constexpr int kRows = 64; // 50 MB of colour at most; whole tiles and blocks of most files
-    for (int y = window.min.y; y <= window.max.y; y += kRows) {
-        const int last = std::min(window.max.y, y + kRows - 1);
+    // Memory grows with the decoded rows, because a small file can claim any size: 64 rows at a
+    // time, whole tiles and blocks of most files, or fewer, of 64 MB.
+    constexpr size_t kMostRows = 64;
+    constexpr size_t kMostBytes = size_t{64} << 20;
+    const size_t bytesOfRow = size.width * sizeof(float) * (3 + picture.channels.size());
+    const auto rowCount =
+        static_cast<int>(std::clamp<size_t>(kMostBytes / bytesOfRow, 1, kMostRows));
+    for (int y = window.min.y; y <= window.max.y; y += rowCount) {
+        const int last = std::min(window.max.y, y + rowCount - 1);
         const auto rows = static_cast<size_t>(int64_t{last} - window.min.y + 1);
         resize(picture, size.width * rows);
         file.setFrameBuffer(frameBuffer(picture, window));

@@ -30,8 +30,12 @@ double keyLuminance(const Image& picture) {
     std::vector<double> means;
     for (uint32_t top = 0; top < picture.height; top += kBlock)
         for (uint32_t left = 0; left < picture.width; left += kBlock)
-            means.push_back(meanLuminanceOfBlock(picture, left, top));
-    const double darkest = kAlmostBlack * *std::ranges::max_element(means);
+            if (const double mean = meanLuminanceOfBlock(picture, left, top); mean > 0.0)
+                means.push_back(mean);
+    if (means.empty())
+        return 0.0;
+    std::ranges::nth_element(means, means.begin() + static_cast<ptrdiff_t>(means.size() / 2));
+    const double darkest = kAlmostBlack * means[means.size() / 2];
     double logarithms = 0.0;
     uint32_t blocks = 0;
     for (const double mean : means)
@@ -39,7 +43,7 @@ double keyLuminance(const Image& picture) {
             logarithms += std::log(mean);
             ++blocks;
         }
-    return blocks > 0 ? std::exp(logarithms / blocks) : 0.0;
+    return std::exp(logarithms / blocks);
 }
 
 } // namespace calotype

@@ -39,6 +39,12 @@ TEST_F(DenoiseTest, SaysHowToGetTheLibraryBeforeItRenders) {
     EXPECT_EQ(folder_.names(), (std::vector<std::string>{"scene.json"}));
 }
 
+// Of a picture without a stated error no one can say when it is good enough.
+TEST_F(DenoiseTest, ATargetNeedsAPictureLargeEnoughToJudge) {
+    expectFailure(render({"-o", picture_, "--target-error", "0.1", "--size", "48x32"}), 2,
+                  "8 tiles of 16 x 16 pixels");
+}
+
 TEST_F(DenoiseTest, DoesNotGoWithAdaptiveSampling) {
     expectFailure(render({"-o", picture_, "--adaptive"}), 2, "--adaptive");
 }
@@ -97,6 +103,17 @@ TEST_F(DenoiseTest, AFailingDenoiserLosesNothing) {
     EXPECT_EQ(
         runProgram({"denoise", folder_ / "a.film", "-o", picture_}, withFakeDenoiser()).exitCode,
         0);
+}
+
+// Without its denoiser the render would not know when to end.
+TEST_F(DenoiseTest, AFailingDenoiserEndsARenderToATarget) {
+    const ProgramResult result = render({"-q", "-o", picture_, "--film", folder_ / "a.film",
+                                         "--target-error", "0.001", "--size", "64x64"},
+                                        withFakeDenoiser("fails"));
+    EXPECT_EQ(result.exitCode, 1);
+    EXPECT_NE(result.errors.find("Open Image Denoise failed"), std::string::npos) << result.errors;
+    EXPECT_EQ(readExr(picture_).width, 64u);
+    EXPECT_EQ(readFilm(folder_ / "a.film").film.samplesPerPixel(), 128u);
 }
 
 TEST_F(DenoiseTest, ShowsThatItDenoises) {
@@ -212,6 +229,15 @@ TEST_F(DenoisedPictureTest, IsTheSameBytesAgain) {
     ASSERT_EQ(render({"-o", picture_, "--spp", "48"}).exitCode, 0);
     ASSERT_EQ(render({"-o", folder_ / "b.exr", "--spp", "48"}).exitCode, 0);
     EXPECT_TRUE(readText(picture_) == readText(folder_ / "b.exr"));
+}
+
+// The film holds 64 samples. The others must not change how those are denoised.
+TEST_F(DenoisedPictureTest, IsThatOfTheFilmsWholeBlocks) {
+    const std::string film = folder_ / "a.film";
+    ASSERT_EQ(render({"-o", picture_, "--film", film, "--spp", "72"}).exitCode, 0);
+    const std::string again = folder_ / "again.exr";
+    ASSERT_EQ(runProgram({"denoise", film, "-o", again}).exitCode, 0);
+    EXPECT_EQ(readExr(again).pixels, readExr(picture_).pixels);
 }
 
 TEST_F(DenoisedPictureTest, StatesNothingOfTooFewSamples) {

@@ -155,6 +155,16 @@ TEST(ExposureTest, MakesTheKeyMiddleGrey) {
     EXPECT_EQ(exposureOf(image), -2.0f);
 }
 
+// One of 100 blocks is 2^30 times as bright as all others: it adds 0.3 stops to the mean.
+TEST(ExposureTest, IsNotDecidedByALamp) {
+    Image image(160, 160);
+    std::ranges::fill(image.pixels, glm::vec3(0.18f));
+    for (uint32_t y = 0; y < 16; ++y)
+        for (uint32_t x = 0; x < 16; ++x)
+            image.at(x, y) = glm::vec3(0.18f * 0x1p30f);
+    EXPECT_FLOAT_EQ(exposureOf(image), -0.3f);
+}
+
 TEST(ExposureTest, IsZeroForABlackPicture) { EXPECT_EQ(exposureOf(Image(20, 20)), 0.0f); }
 
 // A hundredth of the pixels has all the light, as in the first samples of a path tracer.
