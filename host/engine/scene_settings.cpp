@@ -6,6 +6,7 @@
 #include "denoise/cross_validation.h"
 #include "engine/devices.h"
 #include "image/image.h"
+#include "scene/light_cluster.h"
 #include "settings/limits.h"
 #include "settings/settings_table.h"
 #include "shared/limits.h"
@@ -48,7 +49,13 @@ RenderSettings defaultSettings(const Scene& scene) {
     settings.maxBounces = scene.render.maxBounces;
     settings.seed = scene.render.seed;
     settings.denoiser = scene.render.denoiser;
+    settings.transport.lightChoice = defaultLightChoice(scene);
     return settings;
+}
+
+LightChoice defaultLightChoice(const Scene& scene) {
+    constexpr uint32_t kMostByPower = 16; // primitives
+    return hasMorePrimitiveLightsThan(kMostByPower, scene) ? LightChoice::Tree : LightChoice::Power;
 }
 
 void requireKnownTo(const DeviceOptions& device, const RenderSettings& settings) {

@@ -11,6 +11,9 @@ namespace calotype {
 /// rest.
 RenderSettings defaultSettings(const Scene& scene);
 
+/// By power, or by a tree if many primitives emit (docs/accuracy.md, "Light choice").
+LightChoice defaultLightChoice(const Scene& scene);
+
 /// Throws SettingError if the device does not support a setting, for any scene.
 void requireKnownTo(const DeviceOptions& device, const RenderSettings& settings);
 

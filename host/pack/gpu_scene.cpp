@@ -9,6 +9,7 @@
 #include "base/parallel_chunks.h"
 #include "pack/filter_table.h"
 #include "pack/pack_camera.h"
+#include "pack/pack_light_tree.h"
 #include "pack/pack_lights.h"
 #include "pack/pack_material.h"
 #include "pack/pack_node.h"
@@ -203,6 +204,8 @@ private:
             else
                 packed_.triangles[name].light = i;
         }
+        if (options_.lightChoice == LightChoice::Tree)
+            addLightTree(scene_, packed_);
     }
 
     void packNodes() {

@@ -27,6 +27,7 @@ struct GpuScene {
 #include "shared/binding_table.h"
     uint32_t lightCount = 0;                ///< if 0, `lights` holds one unused light
     uint32_t infiniteLight = shared::kNone; ///< index of the light of rays that hit no surface
+    uint32_t lightTreeDepth = 0;            ///< most nodes above a light; 0: no tree chooses lights
     size_t primitiveCount = 0;
     shared::Camera camera{};
     SceneFeatures features;

@@ -88,7 +88,7 @@ std::vector<shared::Light> LightPacker::take() {
     addBackground();
     std::vector<double> powers;
     for (const NumberedLight& light : lights_)
-        powers.push_back(choice_ == LightChoice::Power || light.power == 0.0 ? light.power : 1.0);
+        powers.push_back(choice_ != LightChoice::Uniform || light.power == 0.0 ? light.power : 1.0);
     const std::vector<AliasColumn> columns = buildAliasTable(powers);
     std::vector<shared::Light> packed;
     for (size_t i = 0; i < lights_.size(); ++i) {

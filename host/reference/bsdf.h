@@ -48,6 +48,9 @@ public:
     /// The geometric normal on the viewer's side.
     const glm::dvec3& ng() const { return ng_; }
 
+    /// The shading normal, bent where needed: no light is reflected from below its plane.
+    const glm::dvec3& ns() const { return worldFromShading_[2]; }
+
     /// True if light is scattered to certain directions only.
     bool isSpecular() const;
 

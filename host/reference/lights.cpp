@@ -31,6 +31,8 @@ Lights::Lights(const Scene& scene, const Geometry& geometry, LightChoice choice)
     if (choice == LightChoice::All)
         for (const std::unique_ptr<Light>& light : lights_)
             light->selectionProbability = 1.0;
+    if (choice == LightChoice::Tree)
+        buildTree();
 }
 
 /// A light that is off emits nothing, but can still be hidden from the camera.
@@ -116,6 +118,18 @@ void Lights::buildAliasTable(LightChoice choice) {
     }
 }
 
+/// A light that the tree has not keeps the probability 0, because it does not emit.
+void Lights::buildTree() {
+    std::vector<LightCluster> clusters;
+    inTree_.resize(geometry_.primitiveCount());
+    for (const PrimitiveLight& light : primitiveLights(scene_)) {
+        inTree_[light.primitive] = static_cast<uint32_t>(clusters.size());
+        primitiveOfTree_.push_back(light.primitive);
+        clusters.push_back(light.cluster);
+    }
+    tree_ = TreeChoice(buildLightTree(clusters));
+}
+
 double Lights::maxRadiance() const {
     double largest = 0.0;
     for (const std::unique_ptr<Light>& light : lights_)
@@ -123,7 +137,29 @@ double Lights::maxRadiance() const {
     return largest;
 }
 
-Lights::Choice Lights::choose(const glm::dvec2& u) const {
+/// The greatest numbers choose the infinite light.
+Lights::Choice Lights::choose(const LitPoint& point, const glm::dvec2& u) const {
+    if (tree_.empty())
+        return chooseInTable(u);
+    const double number = u.x + u.y / static_cast<double>(kNumbers);
+    const double ofInfinite = infinite_ ? infinite_->selectionProbability : 0.0;
+    const double ofTree = 1.0 - ofInfinite;
+    if (number >= ofTree)
+        return {*infinite_, (number - ofTree) / ofInfinite, ofInfinite, ofInfinite};
+    const auto chosen = tree_.choose(point, number / ofTree);
+    return {*ofPrimitive_[primitiveOfTree_[chosen.light]], chosen.u, chosen.probability * ofTree,
+            chosen.withoutNormal * ofTree};
+}
+
+double Lights::probability(const Light& light, const glm::dvec3& shadingPoint) const {
+    if (!isInTree(light) || light.selectionProbability == 0.0)
+        return light.selectionProbability;
+    const double ofTree = 1.0 - (infinite_ ? infinite_->selectionProbability : 0.0);
+    return ofTree * tree_.probability(shadingPoint, inTree_[*light.primitive()]);
+}
+
+/// Through a column of an alias table (Walker 1974, Vose 1991).
+Lights::Choice Lights::chooseInTable(const glm::dvec2& u) const {
     const auto number = static_cast<uint64_t>(u.x * kNumbers);
     const size_t own = number * lights_.size() / kNumbers;
     const Column& column = columns_[own];
@@ -132,7 +168,8 @@ Lights::Choice Lights::choose(const glm::dvec2& u) const {
     const uint64_t end = isOwn ? column.aliasFrom : column.end;
     const double place =
         (static_cast<double>(number - first) + u.y) / static_cast<double>(end - first);
-    return {*lights_[isOwn ? own : column.alias], place};
+    const Light& light = *lights_[isOwn ? own : column.alias];
+    return {light, place, light.selectionProbability, light.selectionProbability};
 }
 
 } // namespace calotype::reference

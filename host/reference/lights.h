@@ -8,6 +8,7 @@
 
 #include "reference/geometry.h"
 #include "reference/light.h"
+#include "reference/tree_choice.h"
 #include "scene/scene.h"
 #include "settings/light_choice.h"
 
@@ -33,11 +34,17 @@ public:
     struct Choice {
         const Light& light;
         double u; ///< uniform in [0, 1), also given that this light was chosen
+        double probability;
+        double probabilityForMis; ///< probability(light) at the same point
     };
 
-    /// Chooses a light by power, through a column of an alias table (Walker 1974, Vose 1991). u.x,
-    /// a multiple of 2^-24, chooses; u.y interpolates between that number and the next.
-    Choice choose(const glm::dvec2& u) const;
+    /// Chooses a light to illuminate that point. u.x, a multiple of 2^-24, chooses; u.y
+    /// interpolates between that number and the next.
+    Choice choose(const LitPoint& point, const glm::dvec2& u) const;
+
+    /// The probability with which `choose` would choose that light if it did not know the normal of
+    /// the point; 1 if all lights are sampled.
+    double probability(const Light& light, const glm::dvec3& shadingPoint) const;
 
 private:
     /// A column of the alias table: random numbers, in units of 2^-24, from `first` up to but not
@@ -52,6 +59,9 @@ private:
     void add(uint32_t primitive, const Material& material);
     void addBackground();
     void buildAliasTable(LightChoice choice);
+    void buildTree();
+    Choice chooseInTable(const glm::dvec2& u) const;
+    bool isInTree(const Light& light) const { return !tree_.empty() && &light != infinite_; }
     std::vector<uint64_t> dealNumbers() const;
 
     const Scene& scene_;
@@ -61,6 +71,9 @@ private:
     std::vector<const Light*> ofPrimitive_; ///< nullptr if the primitive does not emit
     const Light* infinite_ = nullptr;
     std::vector<Column> columns_;
+    TreeChoice tree_;                       ///< empty if the table chooses
+    std::vector<uint32_t> primitiveOfTree_; ///< the primitives of the tree's lights
+    std::vector<uint32_t> inTree_;          ///< by primitive: its light in the tree
 };
 
 } // namespace calotype::reference

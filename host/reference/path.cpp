@@ -102,10 +102,9 @@ private:
 
     /// Adds light that the ray hit.
     void addFound(const Light& light, const Light::Point& point) {
-        const double pdf = light.pdf(vertex_, ray_.direction, point);
-        addLight(throughput_ * light.radiance(ray_.direction, point) *
-                     bsdfShare(pdf * light.selectionProbability),
-                 bounce_);
+        const double pdf =
+            light.pdf(vertex_, ray_.direction, point) * setup_.lights.probability(light, vertex_);
+        addLight(throughput_ * light.radiance(ray_.direction, point) * bsdfShare(pdf), bounce_);
     }
 
     bool passesThrough(const Surface& surface) const {
@@ -165,21 +164,29 @@ private:
     glm::dvec3 directLight(const Surface& surface, const Bsdf& bsdf, const Departure& from) {
         if (setup_.transport.lightChoice != LightChoice::All) {
             const glm::dvec4 u = bounceNumbers(id_, bounce_, BounceDimension::Light);
-            const auto [light, place] = setup_.lights.choose(glm::dvec2(u.x, u.z));
-            return lightFrom(light, surface, bsdf, from, glm::dvec2(place, u.y));
+            LitPoint point{from.viewerSide};
+            if (!bsdf.transmits())
+                point.normal = bsdf.ns();
+            const Lights::Choice choice = setup_.lights.choose(point, glm::dvec2(u.x, u.z));
+            return lightFrom(choice, surface, bsdf, from, u.y);
         }
         glm::dvec3 sum(0.0);
         uint32_t number = 0;
-        for (const std::unique_ptr<Light>& light : setup_.lights.all())
-            sum += lightFrom(*light, surface, bsdf, from,
-                             glm::dvec2(lightNumbers(id_, bounce_, number++)));
+        for (const std::unique_ptr<Light>& light : setup_.lights.all()) {
+            const glm::dvec2 u(lightNumbers(id_, bounce_, number++));
+            sum += lightFrom({*light, u.x, 1.0, 1.0}, surface, bsdf, from, u.y);
+        }
         return sum;
     }
 
     /// Samples the light from the viewer's side, or from the far side if it is there and the
-    /// material transmits.
-    glm::dvec3 lightFrom(const Light& light, const Surface& surface, const Bsdf& bsdf,
-                         const Departure& from, const glm::dvec2& u) {
+    /// material transmits. A ray that hits the light does not know with which probability it was
+    /// chosen here, but the one without the normal, for its own side: both weights have that.
+    glm::dvec3 lightFrom(const Lights::Choice& choice, const Surface& surface, const Bsdf& bsdf,
+                         const Departure& from, double u2) {
+        const Light& light = choice.light;
+        const glm::dvec2 u(choice.u, u2);
+        double chanceForMis = choice.probabilityForMis;
         glm::dvec3 outward = bsdf.ng();
         Light::Sample sample = light.sample(from.viewerSide, u);
         Ray ray = rayTowards(light, sample, from.viewerSide);
@@ -187,6 +194,7 @@ private:
             outward = -outward;
             sample = light.sample(from.farSide, u);
             ray = rayTowards(light, sample, from.farSide);
+            chanceForMis = setup_.lights.probability(light, from.farSide);
         }
         if (light.primitive() == surface.primitive && isConvexTowards(surface, outward))
             return glm::dvec3(0.0);
@@ -198,9 +206,10 @@ private:
         const glm::dvec3 radiance = scattered.value * arrivingRadiance(light, sample.point, ray);
         if (greatest(radiance) <= 0.0)
             return glm::dvec3(0.0);
-        const double pdf = sample.pdf * light.selectionProbability;
-        const double share = setup_.transport.usesMis ? powerHeuristic(pdf, scattered.pdf) : 1.0;
-        return radiance * (transmittance(ray, light) * share / pdf);
+        const double share = setup_.transport.usesMis
+                                 ? powerHeuristic(sample.pdf * chanceForMis, scattered.pdf)
+                                 : 1.0;
+        return radiance * (transmittance(ray, light) * share / (sample.pdf * choice.probability));
     }
 
     static Ray rayTowards(const Light& light, const Light::Sample& sample,

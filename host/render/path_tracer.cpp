@@ -23,6 +23,7 @@ shared::RenderParameters makeParameters(const GpuScene& scene, const RenderSetti
     parameters.maxBounces = settings.maxBounces;
     parameters.lightCount = scene.lightCount;
     parameters.infiniteLight = scene.infiniteLight;
+    parameters.lightTreeDepth = scene.lightTreeDepth;
     parameters.iterationBudget = iterationBudget;
     parameters.indirectClamp = settings.transport.indirectClamp;
     return parameters;

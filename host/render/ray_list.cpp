@@ -68,6 +68,8 @@ std::vector<shared::ListedRay> listRays(const Device& device, const GpuScene& sc
     parameters.bounces = kind.bounces;
     parameters.seed = settings.seed;
     parameters.lightCount = scene.lightCount;
+    parameters.infiniteLight = scene.infiniteLight;
+    parameters.lightTreeDepth = scene.lightTreeDepth;
     parameters.iterationBudget = loopBudget(device);
     DispatchSizer sizer(mostGroups(device));
     runGroups(device, pipeline, parameters, sizer);

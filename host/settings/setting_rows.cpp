@@ -254,13 +254,15 @@ void addLight(std::vector<Setting>& rows) {
                  return transport.clampsIndirect() ? Json(transport.indirectClamp) : Json(nullptr);
              }});
     static constexpr Named<LightChoice> kLightChoices[] = {
-        named(LightChoice::Power), named(LightChoice::Uniform), named(LightChoice::All)};
+        named(LightChoice::Power), named(LightChoice::Tree), named(LightChoice::Uniform),
+        named(LightChoice::All)};
     rows.push_back(choice(
         {.name = "light_choice",
-         .help = "Which light is sampled at each event: one by its power (default), one at random, "
-                 "or, with --device reference, all",
+         .help = "Which light is sampled at each event: one by its power, one by what it may "
+                 "contribute there (a tree of lights), one at random, or, with --device reference, "
+                 "all (default: power; in scenes of more than 16 lights tree)",
          .group = SettingGroup::Light,
-         .changesSamples = true},
+         .changesSamples = true}, // not isOfScene: films without it are by power
         kLightChoices, [](auto& settings) -> auto& { return settings.transport.lightChoice; }));
     static constexpr Named<std::optional<TextureFilter>> kFilters[] = {
         {"scene", std::nullopt}, named(TextureFilter::Bilinear), named(TextureFilter::Nearest)};

@@ -51,6 +51,10 @@ std::vector<Variant> variantsOf(const RenderSettings& usual, double mean, bool i
          [](RenderSettings& settings) { settings.transport.usesMis = false; }},
         {"lights chosen uniformly", "", false,
          [](RenderSettings& settings) { settings.transport.lightChoice = LightChoice::Uniform; }}};
+    if (usual.transport.lightChoice != LightChoice::Power)
+        variants.push_back({"lights chosen by power", "", false, [](RenderSettings& settings) {
+                                settings.transport.lightChoice = LightChoice::Power;
+                            }});
     if (!isReference) {
         variants.push_back({"BVH by median splits", "", false,
                             [](RenderSettings& settings) { settings.bvh = BvhBuilder::Median; }});

@@ -23,12 +23,15 @@ void main() {
     uvec2 pixel = pixelInTile(cornerOfTile(tile, parameters.imageSize), gl_LocalInvocationIndex);
     bool goesOn = all(lessThan(pixel, parameters.imageSize));
     Path path = startPath(SampleId(pixel, 0u, parameters.seed), camera, parameters.imageSize);
-    PathLimits limits = PathLimits(parameters.bounces + 1u, parameters.lightCount, kFar, kNone);
+    SceneLights lights =
+        SceneLights(parameters.lightCount, parameters.infiniteLight, parameters.lightTreeDepth);
+    PathLimits limits = PathLimits(parameters.bounces + 1u, kFar, lights);
     IterationCount count = IterationCount(0u, parameters.iterationBudget);
     bool isInBudget = true;
     bool searches = goesOn && !isWanted(path);
     while (lanesWhere(searches) > 0u && isInBudget) {
         Hit hit = traceRay(pathRay(path), searches, hasShadowRay(path), path.target, count);
+        count.passes += passesOfStep(lights);
         isInBudget = countIteration(count);
         if (searches)
             goesOn = isInBudget && stepPath(path, hit, limits);

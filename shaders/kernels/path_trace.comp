@@ -20,8 +20,9 @@ layout(local_size_x_id = kConstantSubgroupSize) in;
 bool isThrough(PixelTask task) { return task.hasPath && !task.hasRay; }
 
 void main() {
-    PathLimits limits = PathLimits(parameters.maxBounces, parameters.lightCount,
-                                   parameters.indirectClamp, parameters.infiniteLight);
+    SceneLights lights =
+        SceneLights(parameters.lightCount, parameters.infiniteLight, parameters.lightTreeDepth);
+    PathLimits limits = PathLimits(parameters.maxBounces, parameters.indirectClamp, lights);
     TileWork work = resumeTile(tiles[parameters.firstTile + gl_WorkGroupID.x]);
     PixelTask current = resumeTask(work, 0u);
     PixelTask waiting = resumeTask(work, 1u);
@@ -52,6 +53,7 @@ void main() {
         } while (areEnough(hasRay, kEventEighths, atWork) && isInBudget);
         if (isThrough(waiting)) // even without budget, so that each dispatch makes progress
             stepTask(waiting, limits, totals);
+        count.passes += passesOfStep(lights);
         isInBudget = isInBudget && countIteration(count);
     } while (lanesWhere(current.hasPixel || waiting.hasPixel) > 0u && isInBudget);
     parkTile(work, current, waiting, totals);

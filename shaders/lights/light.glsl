@@ -9,13 +9,24 @@
 #include "core/random.glsl"
 #include "lights/background_light.glsl"
 #include "lights/light_kind.glsl"
+#include "lights/light_tree.glsl"
 #include "lights/sphere_light.glsl"
 #include "lights/triangle_light.glsl"
 #include "lights/uniform_quadric_light.glsl"
 
+/// All lights of a scene.
+struct SceneLights {
+    uint count;
+    uint infinite;  ///< the light of rays that hit no surface, or kNone
+    uint treeDepth; ///< of the light tree; 0: the alias table chooses
+};
+
 struct LightChoice {
-    uint light;
-    float u; ///< uniform in [0, 1), also given that this light was chosen
+    uint index;
+    Light light;
+    float u;                 ///< uniform in [0, 1), also given that this light was chosen
+    float probability;       ///< with which it was chosen
+    float probabilityForMis; ///< probabilityOf it, for the same point
 };
 
 /// Chooses a light by its selectionProbability in constant time: a column of the alias table, then
@@ -23,7 +34,7 @@ struct LightChoice {
 /// numbers; the table says exactly which light each of them chooses. The position of u.x among the
 /// consecutive numbers that choose the same light, with u.y as the fraction, gives a new uniform
 /// number. It is as evenly distributed for this light as u.x is for all.
-LightChoice chooseLight(uint lightCount, vec2 u) {
+LightChoice chooseInTable(uint lightCount, vec2 u) {
     uint number = uint(u.x * kUnitSteps);
     uint column, ignored;
     umulExtended(number << 8u, lightCount, column, ignored);
@@ -32,8 +43,50 @@ LightChoice chooseLight(uint lightCount, vec2 u) {
     bool isOwn = place < light.ownNumbers;
     uint run = isOwn ? light.ownNumbers : light.aliasNumbers;
     float inRun = float(isOwn ? place : place - light.ownNumbers) + u.y;
-    return LightChoice(isOwn ? column : light.alias, min(inRun / float(run), kOneMinusEpsilon));
+    uint chosen = isOwn ? column : light.alias;
+    light = loadLight(chosen);
+    return LightChoice(chosen, light, min(inRun / float(run), kOneMinusEpsilon),
+                       light.selectionProbability, light.selectionProbability);
 }
+
+/// Whether a tree chooses among the lights that are not infinite.
+bool hasTree(SceneLights lights) { return hasLightTree && lights.treeDepth > 0u; }
+
+/// Chooses a light for a point: the infinite light with its selectionProbability, by the greatest
+/// numbers, or one by the tree. u is that of chooseInTable.
+LightChoice chooseFor(SceneLights lights, LitPoint p, vec2 u) {
+    float ofInfinite = hasInfiniteLights && lights.infinite != kNone
+                           ? loadLight(lights.infinite).selectionProbability
+                           : 0.0;
+    PlaceInInterval number = PlaceInInterval(uint(u.x * kUnitSteps), u.y, kUnitSteps);
+    uint chosen = lights.infinite;
+    bool isInTree = takesFirst(number, (1.0 - ofInfinite) * kUnitSteps);
+    float sizeForMis = number.size;
+    if (isInTree)
+        chosen = chooseInTree(p, number, sizeForMis);
+    float place = (float(number.place) + number.fraction) / number.size;
+    return LightChoice(chosen, loadLight(chosen), min(place, kOneMinusEpsilon),
+                       number.size / kUnitSteps, sizeForMis / kUnitSteps);
+}
+
+/// Chooses a light to illuminate a point. u is that of chooseInTable.
+LightChoice chooseLight(SceneLights lights, LitPoint p, vec2 u) {
+    if (hasTree(lights))
+        return chooseFor(lights, p, u);
+    return chooseInTable(lights.count, u);
+}
+
+/// The probability with which chooseLight would choose that light if it did not know the normal of
+/// the point, which a path has forgotten when it finds the light.
+float probabilityOf(SceneLights lights, Light light, vec3 shadingPoint) {
+    if (!hasTree(lights) || isInfiniteLight(light))
+        return light.selectionProbability;
+    float size = light.selectionProbability * kUnitSteps;
+    return sizeInTree(light.alias, shadingPoint, size) / kUnitSteps;
+}
+
+/// Most passes of loops that chooseLight takes, or probabilityOf.
+uint passesOfChoice(SceneLights lights) { return hasTree(lights) ? lights.treeDepth : 0u; }
 
 /// Whether camera rays pass through this light; false for kNone.
 bool isHiddenFromCamera(uint light) {

@@ -61,21 +61,28 @@ Departure departureFrom(Interaction surface, vec3 ng) {
 
 /// Light from one point on one emitter, scattered towards the viewer. If the light is on the far
 /// side, it is sampled from the far side's origin, because transmitted rays start there.
-DirectLight directLight(Bsdf bsdf, Departure from, vec4 u, uint lightCount) {
-    LightChoice choice = chooseLight(lightCount, u.xz);
-    Light light = loadLight(choice.light);
+///
+/// A ray that hits the light does not know the probability with which it was chosen here, but that
+/// without the normal and, if the ray was transmitted, for the far side. So both ways to find the
+/// light are weighted by the latter: MIS only needs weights that sum to 1.
+DirectLight directLight(Bsdf bsdf, Departure from, vec4 u, SceneLights lights) {
+    LitPoint lit = LitPoint(from.viewerSide, bsdf.worldFromShading[2]);
+    LightChoice choice = chooseLight(lights, lit, u.xz);
+    Light light = choice.light;
     vec2 uLight = vec2(choice.u, u.y);
     vec3 origin = from.viewerSide;
+    float chanceForMis = choice.probabilityForMis;
     LightSample chosen = sampleLight(light, origin, uLight);
     if (hasTransmission && dot(chosen.point.wi, bsdf.ng) < 0.0) {
         origin = from.farSide;
         chosen = sampleLight(light, origin, uLight);
+        chanceForMis = probabilityOf(lights, light, origin);
     }
     BsdfValue scattered = evaluateBsdf(bsdf, chosen.point.wi);
     vec3 radiance = scattered.value * arrivingRadiance(light, chosen.point);
-    float pdf = chosen.pdf * light.selectionProbability;
+    float pdf = chosen.pdf * choice.probability;
     bool isLit = pdf > 0.0 && greatest(radiance) > 0.0;
-    float share = usesMis ? misWeight(pdf, scattered.pdf) : 1.0;
+    float share = usesMis ? misWeight(chosen.pdf * chanceForMis, scattered.pdf) : 1.0;
     float weight = isLit ? share / pdf : 0.0;
     return DirectLight(rayToLight(light, chosen.point, origin), light.primitive,
                        isLit ? radiance * weight : vec3(0.0));

@@ -33,17 +33,27 @@ vec3 infiniteLight(Path path, Light light) {
 }
 
 bool pathMiss(inout Path path, PathLimits limits) {
-    if (hasInfiniteLights && limits.infiniteLight != kNone)
-        addRadiance(path, path.throughput * infiniteLight(path, loadLight(limits.infiniteLight)),
+    if (hasInfiniteLights && limits.lights.infinite != kNone)
+        addRadiance(path, path.throughput * infiniteLight(path, loadLight(limits.lights.infinite)),
                     limits);
     return false;
 }
 
+/// The probability with which directLight would have chosen a light that is not infinite. Beside
+/// the density of a specular direction it does not matter.
+float chanceOfLight(Path path, Light light, SceneLights lights) {
+    bool matters = path.bounce > 0u && path.bsdfPdf < kSpecularPdf;
+    if (hasTree(lights) && !matters)
+        return 1.0;
+    return probabilityOf(lights, light, shadingPointOf(path));
+}
+
 /// Light that the surface emits towards the ray's origin.
-vec3 emittedLight(Path path, Interaction surface, Light light) {
+vec3 emittedLight(Path path, Interaction surface, Light light, SceneLights lights) {
     LightPoint point = lightPoint(path.rayDirection, surface.position, surface.ng);
     float pdf = finiteLightPdf(light, shadingPointOf(path), point);
-    return finiteLightRadiance(light, point) * bsdfWeight(path, pdf * light.selectionProbability);
+    float chance = chanceOfLight(path, light, lights);
+    return finiteLightRadiance(light, point) * bsdfWeight(path, pdf * chance);
 }
 
 /// What a ray met.
@@ -90,7 +100,7 @@ bool scatter(inout Path path, Interaction surface, Material material, PathLimits
     DirectLight light = DirectLight(pathRay(path), kNone, vec3(0.0));
     if (hasLights && !isSpecular(bsdf)) {
         vec4 uLight = samplerNumbers(path.id, bounceDimension(path.bounce, kDimensionLight));
-        light = directLight(bsdf, from, uLight, limits.lightCount);
+        light = directLight(bsdf, from, uLight, limits.lights);
     }
     path.arriving = path.throughput * light.radiance;
 
@@ -122,7 +132,9 @@ bool pathSurface(inout Path path, MetSurface met, PathLimits limits) {
         return true;
     }
     if (hasLights && surface.light != kNone)
-        addRadiance(path, path.throughput * emittedLight(path, surface, loadLight(surface.light)),
+        addRadiance(path,
+                    path.throughput *
+                        emittedLight(path, surface, loadLight(surface.light), limits.lights),
                     limits);
     if (path.bounce == limits.maxBounces)
         return false;
@@ -139,6 +151,10 @@ bool pathShadowThrough(inout Path path, MetSurface met) {
     setRay(path, rayBeyond(met.surface, pathRay(path)), kShadowRay, path.target);
     return greatest(path.arriving) > 0.0 || leaveVertex(path);
 }
+
+/// Most passes of loops that a step takes: to choose a light, for the probability with which it
+/// would be chosen from the far side, and for that of a light that was hit.
+uint passesOfStep(SceneLights lights) { return 3u * passesOfChoice(lights); }
 
 /// Takes the step that follows from the kind of the path's ray and its hit.
 bool stepPath(inout Path path, Hit hit, PathLimits limits) {

@@ -6,6 +6,7 @@
 #include "config/settings.glsl"
 #include "core/select.glsl"
 #include "film/film_filter.glsl"
+#include "lights/light.glsl"
 #include "path/camera.glsl"
 
 // The purpose of the path's ray.
@@ -23,9 +24,8 @@ struct Path {
 
 struct PathLimits {
     uint maxBounces;
-    uint lightCount;
     float indirectClamp; ///< as in RenderParameters
-    uint infiniteLight;  ///< likewise
+    SceneLights lights;
 };
 
 Ray pathRay(Path path) { return Ray(path.rayOrigin, path.rayTMax, path.rayDirection); }

@@ -17,6 +17,7 @@ SCENE_ARRAY(Materials, Material, materials, "materials")
 SCENE_ARRAY(Textures, Texture, textures, "textures")
 SCENE_ARRAY(Lights, Light, lights, "lights")
 SCENE_ARRAY(Filter, FilterStep, filterSteps, "film filter")
+SCENE_ARRAY(LightNodes, LightNode, lightNodes, "light tree")
 SCENE_ROWS(Texels, TexelRows, texelRows, "texels")
 BINDING(Camera)      // uniform buffer
 BINDING(Block)       // storage image

@@ -27,7 +27,11 @@ FIELD(uint, bounces, w)  ///< for other rays: scattering events before the ray
 ROW(uint, seed, x)
 FIELD(uint, lightCount, y)
 FIELD(uint, iterationBudget, z)
-FIELD(uint, pad0, w)
+FIELD(uint, lightTreeDepth, w) ///< 0: no tree
+ROW(uint, infiniteLight, x)    ///< the light of rays that hit no surface, or kNone
+FIELD(uint, pad0, y)
+FIELD(uint, pad1, z)
+FIELD(uint, pad2, w)
 END(RayListParameters)
 
 #undef STRUCT

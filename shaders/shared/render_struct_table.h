@@ -17,7 +17,7 @@ ROW(uint, iterationBudget, x)  ///< loop iterations after which a subgroup parks
 FIELD(float, indirectClamp, y) ///< most of one contribution of light scattered twice or more,
                                ///< W/(m^2 sr)
 FIELD(uint, infiniteLight, z)  ///< the light of rays that hit no surface, or kNone
-FIELD(uint, pad0, w)
+FIELD(uint, lightTreeDepth, w) ///< 0: no tree
 END(RenderParameters)
 
 // Sums over one dispatch, added to atomically, once per subgroup.

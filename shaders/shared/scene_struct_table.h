@@ -108,16 +108,17 @@ FIELD(uint, pad1, w)
 END(Texture)
 
 // A light: an emitting primitive or the background. It includes a column of the alias table that
-// chooses lights.
+// chooses lights or, if a tree chooses them, its place in the tree.
 STRUCT(Light)
 ROW(vec3, radiance, xyz)
 FIELD(uint, primitive, w)             ///< kNone for a light that is infinitely far away
 ROW(float, area, x)                   ///< m^2; 0 for a light that is infinitely far away
-FIELD(float, selectionProbability, y) ///< probability with which this light is chosen
+FIELD(float, selectionProbability, y) ///< probability with which this light is chosen; of a light
+                                      ///< of the tree, with which the tree is
 FIELD(uint, firstNumber, z) ///< of the random numbers that fall into the column, in units of 2^-24
 FIELD(uint, ownNumbers, w)  ///< those of them that choose this light; they come first
 ROW(uint, aliasNumbers, x)  ///< those after them; they choose the light `alias`
-FIELD(uint, alias, y)
+FIELD(uint, alias, y) ///< in the tree instead: the trail, LightTree::trails
 FIELD(uint, flags, z) ///< kLightEmitsFromBack...
 FIELD(uint, kind, w)  ///< kLightTriangle...
 END(Light)
@@ -129,6 +130,23 @@ ROW(vec2, quantiles, xy)
 FIELD(uint, pad0, z)
 FIELD(uint, pad1, w)
 END(FilterStep)
+
+// A node of the light tree: two clusters of lights (docs/models.md, "Light tree").
+STRUCT(LightNode)
+ROW(vec3, center0, xyz) ///< of a sphere around the first cluster
+FIELD(float, radius0, w)
+ROW(vec3, axis0, xyz) ///< unit: normals of lit sides are within an angle of it
+FIELD(float, cosThetaO0, w)
+ROW(vec3, center1, xyz)
+FIELD(float, radius1, w)
+ROW(vec3, axis1, xyz)
+FIELD(float, cosThetaO1, w)
+ROW(float, power0, x) ///< as a share of the node's
+FIELD(float, power1, y)
+FIELD(uint, child0, z) ///< index of a node or, with kChildIsLight, of a light; may have
+                       ///< kChildIsTwoSided
+FIELD(uint, child1, w)
+END(LightNode)
 
 // Perspective: `right` and `up` go from the centre of the image plane, one unit along `forward`, to
 // its edges. Orthographic: they go from `position` to the edges of the view.

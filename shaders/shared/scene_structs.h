@@ -64,6 +64,10 @@ CALOTYPE_CONSTANT uint kLightEmitsFromBack = 1u;
 CALOTYPE_CONSTANT uint kLightHiddenFromCamera = 2u;
 CALOTYPE_CONSTANT uint kLightBySolidAngle = 4u; // of a triangle, where single precision allows it
 
+// In LightNode::child0 and child1.
+CALOTYPE_CONSTANT uint kChildIsLight = 0x80000000u;
+CALOTYPE_CONSTANT uint kChildIsTwoSided = 0x40000000u; ///< normals may be opposite to the cone
+
 #include "shared/declare_structs.h"
 #include "shared/scene_struct_table.h"
 

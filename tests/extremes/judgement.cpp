@@ -26,11 +26,14 @@ std::vector<double> blockMeans(const TileMeans& means) {
 
 } // namespace
 
-Judgement judge(const Scene& scene, uint32_t side, size_t blocks) {
-    const RenderSettings settings = squareSettings(scene, side, kSeed);
+Judgement judge(const Scene& scene, uint32_t side, size_t blocks,
+                std::optional<LightChoice> choice) {
+    RenderSettings settings = squareSettings(scene, side, kSeed);
+    settings.transport.lightChoice = choice.value_or(settings.transport.lightChoice);
     DeviceTracer device(scene, settings);
     const auto ofDevice = blockMeans(renderTileMeans(device.tracer(), side, side, blocks));
-    const reference::ReferenceTracer reference(scene, {side, side}, settings.maxBounces);
+    const reference::ReferenceTracer reference(scene, {side, side}, settings.maxBounces,
+                                               settings.transport);
     ReferenceBlock referenceBlock(reference, settings, kThreads);
     const auto ofReference = blockMeans(renderTileMeans(referenceBlock, side, side, blocks));
 

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "scene/scene.h"
+#include "settings/light_choice.h"
 #include "support/agreement.h"
 #include "support/statistics.h"
 
@@ -16,8 +18,10 @@ struct Judgement {
 };
 
 /// A square picture of `side` pixels, a multiple of 8. The scene's own film size does not count.
-/// Fails the test where a sample is not finite or a path is cut.
-Judgement judge(const Scene& scene, uint32_t side, size_t blocks);
+/// Fails the test where a sample is not finite or a path is cut. Lights are chosen as usual in the
+/// scene, unless `choice` is given.
+Judgement judge(const Scene& scene, uint32_t side, size_t blocks,
+                std::optional<LightChoice> choice = {});
 
 /// The means are equal but for `bound` of the reference's, and for the noise
 /// of the few paths that part: five standard errors of the paired difference.

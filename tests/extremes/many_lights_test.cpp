@@ -36,8 +36,9 @@ Scene lampGrid(const Radiance& radiance, double& irradiance) {
     return builder.scene();
 }
 
-void expectFloor(const Scene& scene, double irradiance, size_t blocks) {
-    const Judgement judgement = judge(scene, 16, blocks);
+void expectFloor(const Scene& scene, double irradiance, size_t blocks,
+                 LightChoice choice = LightChoice::Power) {
+    const Judgement judgement = judge(scene, 16, blocks, choice);
     expectJudgement(judgement, 1e-5);
     const double expected = floorRadiance(irradiance);
     EXPECT_NEAR(judgement.device.mean, expected,
@@ -48,7 +49,8 @@ void expectFloor(const Scene& scene, double irradiance, size_t blocks) {
 TEST_F(ManyLightsTest, TenThousandAlikeAddUp) {
     double irradiance;
     const Scene scene = lampGrid([](uint32_t) { return 1.0; }, irradiance);
-    expectFloor(scene, irradiance, 16);
+    for (const LightChoice choice : {LightChoice::Power, LightChoice::Tree})
+        expectFloor(scene, irradiance, 16, choice);
 }
 
 TEST_F(ManyLightsTest, TenThousandOfPowersOverTwelveDecadesAddUp) {
@@ -56,11 +58,13 @@ TEST_F(ManyLightsTest, TenThousandOfPowersOverTwelveDecadesAddUp) {
     double irradiance;
     const Scene scene =
         lampGrid([&](uint32_t) { return random.powerOfTen(-6.0, 6.0); }, irradiance);
-    expectFloor(scene, irradiance, 16);
+    for (const LightChoice choice : {LightChoice::Power, LightChoice::Tree})
+        expectFloor(scene, irradiance, 16, choice);
 }
 
 // The faintest of three lights is all that this floor sees: the others, 1e6 and 1e12 times as
-// strong, face away. Hardly a light sample comes its way, but rays find it.
+// strong, face away. By power, hardly a light sample comes its way, but rays find it. The tree
+// leaves out what faces away.
 TEST_F(ManyLightsTest, TheFaintestOfThreeIsNotLost) {
     const auto square = [](double y, double half) {
         return std::vector<glm::dvec3>{
@@ -75,7 +79,8 @@ TEST_F(ManyLightsTest, TheFaintestOfThreeIsNotLost) {
     }
     addFloor(builder, 5.0);
     lookDownAt(builder, 0.0, 0.0, 0.5, 1e-4);
-    expectFloor(builder.scene(), 1e-6 * polygonIrradiance(square(1.0, 0.5), {}), 16);
+    for (const LightChoice choice : {LightChoice::Power, LightChoice::Tree})
+        expectFloor(builder.scene(), 1e-6 * polygonIrradiance(square(1.0, 0.5), {}), 16, choice);
 }
 
 // The device chooses by the table to the last random number: on both sides of each border between
@@ -90,14 +95,15 @@ TEST_F(ManyLightsTest, EachNumberChoosesTheLightThatTheTableSays) {
             .packed;
     const uint64_t count = packed.lightCount;
     ASSERT_EQ(count, kAcross * kAcross);
-    std::vector<shared::TestLightQuery> queries;
+    std::vector<shared::TestChoiceQuery> queries;
     std::vector<shared::TestLightChoice> expected;
     const auto add = [&](uint64_t number, uint32_t light, double within, uint64_t first,
                          uint64_t run) {
         const float u = static_cast<float>(number) * 0x1p-24f;
-        queries.push_back({{}, 0, {0, 0, u, float(within)}, packed.lightCount, 0, 0, 0});
+        queries.push_back({{}, 0, {}, packed.lightCount, {u, float(within)}, shared::kNone, 0});
         const double place = (double(number - first) + within) / double(run);
-        expected.push_back({light, float(place)});
+        const float probability = packed.lights[light].selectionProbability;
+        expected.push_back({light, float(place), probability, probability, 0.0f, 0, 0, 0});
     };
     for (uint64_t column = 0; column < count; ++column) {
         const uint64_t first = (column * kNumbers + count - 1) / count;
@@ -121,6 +127,8 @@ TEST_F(ManyLightsTest, EachNumberChoosesTheLightThatTheTableSays) {
         ASSERT_EQ(choices[i].light, expected[i].light) << i;
         ASSERT_LT(choices[i].u, 1.0f);
         ASSERT_NEAR(choices[i].u, expected[i].u, 1e-6f) << i;
+        ASSERT_EQ(choices[i].probability, expected[i].probability) << i;
+        ASSERT_EQ(choices[i].probabilityForMis, expected[i].probability) << i;
     }
 }
 

@@ -29,11 +29,11 @@ constexpr uint32_t kSeed = 7;
 class Judged {
 public:
     Judged(const Scene&&, uint32_t, Sampler = Sampler::Independent,
-           const TransportSettings& = {}) = delete;
+           const std::optional<TransportSettings>& = {}) = delete;
     Judged(const Scene& scene, uint32_t side, Sampler sampler = Sampler::Independent,
-           const TransportSettings& transport = {})
+           const std::optional<TransportSettings>& transport = {})
         : settings_(settingsOf(scene, side, sampler, transport)), scene_(scene),
-          reference_(scene, {side, side}, settings_.maxBounces, transport),
+          reference_(scene, {side, side}, settings_.maxBounces, settings_.transport),
           block_(reference_, settings_, kThreads) {}
 
     BlockTracer& reference() { return block_; }
@@ -49,10 +49,10 @@ public:
 
 private:
     static RenderSettings settingsOf(const Scene& scene, uint32_t side, Sampler sampler,
-                                     const TransportSettings& transport) {
+                                     const std::optional<TransportSettings>& transport) {
         RenderSettings settings = squareSettings(scene, side, kSeed);
         settings.sampler = sampler;
-        settings.transport = transport;
+        settings.transport = transport.value_or(settings.transport);
         return settings;
     }
 

@@ -35,6 +35,7 @@ inline constexpr JudgedScene kJudgedScenes[] = {
     {"Mesh", "scenes/mesh.json"},
     {"Lanterns", "tests/image/scenes/lanterns.json"},
     {"NearLamps", "tests/image/scenes/near-lamps.json"},
+    {"Lamps", "tests/image/scenes/lamps.json"},
 };
 
 inline void PrintTo(const JudgedScene& scene, std::ostream* stream) { *stream << scene.name; }

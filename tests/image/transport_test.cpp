@@ -100,6 +100,18 @@ TEST_F(TransportTest, ChoosingLightsAlikeKeepsThePicture) {
 }
 ALSO_SLOW(TransportTest, ChoosingLightsAlikeKeepsThePicture);
 
+// Lamps of all kinds; the tree against the alias table.
+TEST_F(TransportTest, ChoosingLightsByATreeKeepsThePicture) {
+    for (const char* path : {"tests/image/scenes/lamps.json", "tests/image/scenes/lanterns.json"}) {
+        SCOPED_TRACE(path);
+        const Scene scene = projectScene(path);
+        TransportSettings byTree;
+        byTree.lightChoice = LightChoice::Tree;
+        expectSamePicture(means(scene, {}, 15), means(scene, byTree, 16));
+    }
+}
+ALSO_SLOW(TransportTest, ChoosingLightsByATreeKeepsThePicture);
+
 // The reference tracer can sample all lights at each event; the expected picture is the same.
 TEST_F(TransportTest, AskingAllLightsKeepsThePicture) {
     constexpr uint32_t kSmall = 16;

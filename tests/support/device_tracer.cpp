@@ -1,6 +1,7 @@
 #include "support/device_tracer.h"
 
 #include "engine/compile_scene.h"
+#include "engine/scene_settings.h"
 #include "support/gpu_test.h"
 
 namespace calotype::test {
@@ -22,6 +23,7 @@ RenderSettings squareSettings(const Scene& scene, uint32_t side, uint32_t seed) 
     settings.maxBounces = scene.render.maxBounces;
     settings.seed = seed;
     settings.sampler = Sampler::Independent;
+    settings.transport.lightChoice = defaultLightChoice(scene);
     return settings;
 }
 

@@ -9,7 +9,8 @@
 
 namespace calotype::test {
 
-/// For a square picture of a scene, `side` pixels wide, with the scene's own bounces.
+/// For a square picture of a scene, `side` pixels wide, with the scene's own bounces and choice of
+/// lights.
 RenderSettings squareSettings(const Scene& scene, uint32_t side, uint32_t seed);
 
 /// A scene packed for the test device, with the kernel that renders it.

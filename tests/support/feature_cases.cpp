@@ -95,6 +95,17 @@ void addBalls(SceneBuilder& builder) {
             kFloor));
 }
 
+constexpr uint32_t kSmallLamps = 40; ///< more than the alias table gets
+
+void addSmallLamps(SceneBuilder& builder) {
+    const uint32_t glow = builder.material(0.1, 3.0, true);
+    for (uint32_t i = 0; i < kSmallLamps; ++i) {
+        const double x = -1.8 + 0.4 * (i % 10);
+        const double z = -1.0 + 0.6 * double(i / 10);
+        builder.polygon({{x, 0.2, z}, {x + 0.1, 0.2, z}, {x, 0.2, z + 0.1}}, glow);
+    }
+}
+
 void hideLamp(Scene& scene) {
     scene.materials[kLamp].visibleToCamera = false;
     scene.camera.position = {0.0, 3.5, 0.1};
@@ -133,6 +144,8 @@ const CaseOfFeature kHiddenLightsCase = {camera(hideLamp)};
 const CaseOfFeature kLightAlphaCase = {
     camera([](Scene& scene) { scene.materials[kLamp].opacity = 0.5; })};
 const CaseOfFeature kSolidAngleLightsCase = {camera([](Scene&) {})};
+const CaseOfFeature kLightTreeCase = {
+    addSmallLamps, [](Scene& scene) { scene.shapes.resize(scene.shapes.size() - kSmallLamps); }};
 const CaseOfFeature kBackgroundLightsCase = {
     camera([](Scene& scene) {
         scene.background = {0.3, 0.4, 0.5};

@@ -1,5 +1,6 @@
 #include "support/render_scene.h"
 
+#include "engine/scene_settings.h"
 #include "read/load.h"
 #include "support/device_tracer.h"
 #include "support/paths.h"
@@ -16,6 +17,7 @@ RenderedScene renderScene(const Scene& scene, const RenderWish& wish) {
     settings.seed = wish.seed.value_or(scene.render.seed);
     settings.sampler = wish.sampler;
     settings.transport = wish.transport;
+    settings.transport.lightChoice = wish.lightChoice.value_or(defaultLightChoice(scene));
 
     DeviceTracer device(scene, settings, wish.features, wish.tuning);
     RenderSession session(device.tracer(), settings, device.packed().maxRadiance);

@@ -26,6 +26,7 @@ struct RenderWish {
     std::optional<uint32_t> seed;
     Sampler sampler = Sampler::Independent;
     TransportSettings transport;
+    std::optional<LightChoice> lightChoice; ///< whatever `transport` says
     std::optional<Crop> crop;
     std::optional<SceneFeatures> features; ///< else those that the scene needs
     std::optional<KernelTuning> tuning;    ///< else the device's

@@ -122,8 +122,9 @@ Mesh cubeMesh(uint32_t n) {
     return mesh;
 }
 
-PackedScene packAsProgram(const Scene& scene) {
+PackedScene packAsProgram(const Scene& scene, LightChoice choice) {
     RenderSettings settings;
+    settings.transport.lightChoice = choice;
     settings.width = settings.height = 1;
     settings.bvh = BvhBuilder::Sah;
     CompiledScene compiled = compileScene(scene, settings);

@@ -29,6 +29,6 @@ struct PackedScene {
     Bvh bvh;
     GpuScene packed;
 };
-PackedScene packAsProgram(const Scene& scene);
+PackedScene packAsProgram(const Scene& scene, LightChoice choice = LightChoice::Power);
 
 } // namespace calotype::test

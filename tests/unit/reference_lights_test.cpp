@@ -187,7 +187,8 @@ TEST(ReferenceLightsTest, AreChosenByTheirPower) {
     std::vector<int> counts(4);
     std::vector<double> places(4);
     for (int i = 0; i < kNumbers; ++i) {
-        const Lights::Choice choice = lit.lights.choose({double(i) / kNumbers, 0.5});
+        const Lights::Choice choice =
+            lit.lights.choose({glm::dvec3(0.0)}, {double(i) / kNumbers, 0.5});
         const uint32_t index = choice.light.primitive().value_or(3);
         ++counts[index];
         places[index] += choice.u;

@@ -16,7 +16,8 @@ void main() {
     uint i = gl_GlobalInvocationID.x;
     bool isActive = i < tests.length();
     TestPath test = tests[isActive ? i : 0u];
-    PathLimits limits = PathLimits(test.maxBounces, test.lightCount, kFar, test.infiniteLight);
+    SceneLights lights = SceneLights(test.lightCount, test.infiniteLight, test.lightTreeDepth);
+    PathLimits limits = PathLimits(test.maxBounces, kFar, lights);
     Path path =
         startPath(SampleId(test.pixel, test.sampleIndex, test.seed), test.camera, test.imageSize);
     IterationCount count = IterationCount(0u, ~0u);

@@ -21,7 +21,8 @@ void main() {
     LightPoint point = chosen.point;
     float pdf = finiteLightPdf(light, query.shadingPoint, point);
     vec3 emitted = finiteLightRadiance(light, point);
-    LightChoice choice = chooseLight(query.lightCount, query.u.zw);
+    SceneLights lights = SceneLights(query.lightCount, kNone, 0u);
+    LightChoice choice = chooseLight(lights, LitPoint(query.shadingPoint, vec3(0.0)), query.u.zw);
     samples[i] = TestLightSample(point.position, point.error, point.normal, chosen.pdf, pdf,
-                                 choice.light, 0u, 0u, vec4(emitted, 0.0));
+                                 choice.index, 0u, 0u, vec4(emitted, 0.0));
 }

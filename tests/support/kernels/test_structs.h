@@ -53,9 +53,25 @@ struct TestLightQuery {
     uint pad2;
 };
 
+struct TestChoiceQuery {
+    vec3 shadingPoint;
+    uint light; ///< whose probability is asked for as well
+    vec3 normal;
+    uint lightCount;
+    vec2 u; ///< choice of a light, and between two such numbers
+    uint infiniteLight;
+    uint lightTreeDepth;
+};
+
 struct TestLightChoice {
     uint light;
     float u;
+    float probability;
+    float probabilityForMis;
+    float probabilityOfGiven; ///< of the light of the query
+    uint pad0;
+    uint pad1;
+    uint pad2;
 };
 
 struct TestLightSample {
@@ -121,9 +137,9 @@ struct TestPath {
     uint maxBounces;
     uint lightCount;
     uint infiniteLight;
+    uint lightTreeDepth;
     uint pad0;
     uint pad1;
-    uint pad2;
 };
 
 struct TestTextureRead {
