@@ -339,7 +339,8 @@ void requireSameOrigin(const std::filesystem::path& path, const KeptFilm& film,
         for (const auto& [name, value] : owner->settings)
             if (film.label.setting(name) != label.setting(name))
                 fail("another " + name + ": " + film.label.setting(name) + ", not " +
-                     label.setting(name));
+                     label.setting(name) +
+                     (name == "light_choice" ? "; give --light-choice to go on with it" : ""));
     if (film.film.unit() != unit)
         fail("lights of another strength");
     if (film.film.width() != width || film.film.height() != height)

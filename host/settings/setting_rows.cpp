@@ -260,7 +260,7 @@ void addLight(std::vector<Setting>& rows) {
         {.name = "light_choice",
          .help = "Which light is sampled at each event: one by its power, one by what it may "
                  "contribute there (a tree of lights), one at random, or, with --device reference, "
-                 "all (default: power; in scenes of more than 16 lights tree)",
+                 "all (default: power; tree if more than 16 primitives emit)",
          .group = SettingGroup::Light,
          .changesSamples = true}, // not isOfScene: films without it are by power
         kLightChoices, [](auto& settings) -> auto& { return settings.transport.lightChoice; }));

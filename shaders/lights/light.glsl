@@ -85,8 +85,9 @@ float probabilityOf(SceneLights lights, Light light, vec3 shadingPoint) {
     return sizeInTree(light.alias, shadingPoint, size) / kUnitSteps;
 }
 
-/// Most passes of loops that chooseLight takes, or probabilityOf.
-uint passesOfChoice(SceneLights lights) { return hasTree(lights) ? lights.treeDepth : 0u; }
+/// Most passes of loops that chooseLight takes, or probabilityOf: one for each node, and the last,
+/// which only leaves the loop.
+uint passesOfChoice(SceneLights lights) { return hasTree(lights) ? lights.treeDepth + 1u : 0u; }
 
 /// Whether camera rays pass through this light; false for kNone.
 bool isHiddenFromCamera(uint light) {

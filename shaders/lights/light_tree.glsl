@@ -15,6 +15,7 @@
 
 #include "bsdf/lobes.glsl"
 #include "buffers/packed_scene.glsl"
+#include "core/constants.glsl"
 #include "core/random.glsl"
 
 /// What is known of some lights: a sphere that contains them, and a cone that contains the normals
@@ -88,9 +89,11 @@ struct SharesOfFirst {
     float withoutNormal;
 };
 
+/// Below 1 where the other can be chosen, also if it is so little that the quotient rounds to 1.
 float shareOf(float weight, float other) {
     float sum = weight + other;
-    return sum > 0.0 ? weight / sum : 0.5;
+    float share = sum > 0.0 ? weight / sum : 0.5;
+    return other > 0.0 ? min(share, kOneMinusEpsilon) : share;
 }
 
 SharesOfFirst sharesOfFirst(LightNode node, LitPoint p) {

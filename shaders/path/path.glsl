@@ -152,9 +152,11 @@ bool pathShadowThrough(inout Path path, MetSurface met) {
     return greatest(path.arriving) > 0.0 || leaveVertex(path);
 }
 
-/// Most passes of loops that a step takes: to choose a light, for the probability with which it
-/// would be chosen from the far side, and for that of a light that was hit.
-uint passesOfStep(SceneLights lights) { return 3u * passesOfChoice(lights); }
+/// Most passes of loops that a step takes: to choose a light, for the probability of a light that
+/// was hit, and for that with which a light would be chosen from the far side.
+uint passesOfStep(SceneLights lights) {
+    return (hasTransmission ? 3u : 2u) * passesOfChoice(lights);
+}
 
 /// Takes the step that follows from the kind of the path's ray and its hit.
 bool stepPath(inout Path path, Hit hit, PathLimits limits) {
