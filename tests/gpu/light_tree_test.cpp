@@ -297,6 +297,24 @@ TEST_F(LightTreeChoiceTest, GrazingLightIsNotLeftOut) {
     }
 }
 
+// Beside a light of 10^12 times its power, whichever of the two comes first: a probability that
+// rounds to 0 would lose the light of the weaker one where the other is blocked.
+TEST_F(LightTreeChoiceTest, AWeakLightKeepsAProbability) {
+    for (const double ratio : {1e-5, 1e-7, 1e-8, 1e-10, 1e-12})
+        for (const bool isWeakFirst : {false, true}) {
+            SceneBuilder builder;
+            const uint32_t weak = builder.material(0.0, ratio);
+            const uint32_t strong = builder.material(0.0, 1.0);
+            for (int i = 0; i < 2; ++i) {
+                const RigidTransform place{glm::dmat3(1.0), {i == 0 ? -1.0 : 1.0, 0.0, 0.0}};
+                builder.add(makeShape(Sphere{place, 0.1}, (i == 0) == isWeakFirst ? weak : strong));
+            }
+            for (const double probability :
+                 probabilities(packAsProgram(builder.scene(), LightChoice::Tree).packed, {}))
+                EXPECT_GT(probability, 0.0) << ratio << " " << isWeakFirst;
+        }
+}
+
 TEST_F(LightTreeChoiceTest, IsThereForTwoLightsOrMoreOnly) {
     for (const uint32_t count : {1u, 2u}) {
         const Scene scene = strewnLamps(count, glm::dvec3(0.1));
