@@ -118,7 +118,7 @@ void Lights::buildAliasTable(LightChoice choice) {
     }
 }
 
-/// A light that the tree has not keeps the probability 0, because it does not emit.
+/// A light that is not in the tree does not emit, and has the probability 0.
 void Lights::buildTree() {
     std::vector<LightCluster> clusters;
     inTree_.resize(geometry_.primitiveCount());

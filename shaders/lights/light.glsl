@@ -77,7 +77,7 @@ LightChoice chooseLight(SceneLights lights, LitPoint p, vec2 u) {
 }
 
 /// The probability with which chooseLight would choose that light if it did not know the normal of
-/// the point, which a path has forgotten when it finds the light.
+/// the point, which a path does not store until it finds the light.
 float probabilityOf(SceneLights lights, Light light, vec3 shadingPoint) {
     if (!hasTree(lights) || isInfiniteLight(light))
         return light.selectionProbability;

@@ -62,7 +62,7 @@ Departure departureFrom(Interaction surface, vec3 ng) {
 /// Light from one point on one emitter, scattered towards the viewer. If the light is on the far
 /// side, it is sampled from the far side's origin, because transmitted rays start there.
 ///
-/// A ray that hits the light does not know the probability with which it was chosen here, but that
+/// Where a ray hits the light, the probability with which it was chosen here is not known, but that
 /// without the normal and, if the ray was transmitted, for the far side. So both ways to find the
 /// light are weighted by the latter: MIS only needs weights that sum to 1.
 DirectLight directLight(Bsdf bsdf, Departure from, vec4 u, SceneLights lights) {

@@ -64,10 +64,12 @@ vec2 uniformInSolidAngle(SphericalTriangle seen, vec2 u) {
     float difference = sinCos.y - scale * dot(seen.a + seen.b, seen.c) - mc; // mb - mc
     float edge = onePlusCosine(seen.b, seen.c);
     float bm = difference + mc * edge; // b . m
+    // 1e-30, a squared length of weights: against 0 / 0 alone.
     float perSquare = 1.0 / greater(bm * bm + mc * mc * edge * (2.0 - edge), 1e-30);
     float pb = difference * (difference + 2.0 * mc) * perSquare;
     float pc = 2.0 * mc * bm * perSquare;
     // The direction on the arc from a to p. 1 - its cosine with a is the share u.x of that of p.
+    // 1e-14 is the square of the rounding of unit vectors, 2^-23.
     float arc = lesser(greater(onePlusCosine(seen.a, pb * seen.b + pc * seen.c), 1e-14), 2.0);
     float oneMinusCos = u.x * (2.0 - arc);
     float alongP = sqrt(u.x * (2.0 - oneMinusCos) / arc);

@@ -233,7 +233,7 @@ TEST_F(LightTreeChoiceTest, PlacesOnRareLightsAreUniform) {
         queries.push_back(query(packed, {158.0, -2000.0, 158.0}, deviceUnits(random)));
     constexpr size_t kBins = 64;
     std::vector<uint64_t> counts(kBins);
-    std::vector<uint64_t> digits(kBins); // the fraction of 2^20 u: digits that 24 bits do not have
+    std::vector<uint64_t> digits(kBins); // the fraction of 2^12 u: digits that 24 bits do not have
     for (const Choice& choice : choose(packed, queries)) {
         ASSERT_LT(choice.probability, 3e-5f);
         const double u = choice.u;

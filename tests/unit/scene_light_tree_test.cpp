@@ -1,8 +1,6 @@
 // Clusters of lights, and the tree over them.
-#include <chrono>
 #include <cmath>
 #include <numbers>
-#include <set>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
