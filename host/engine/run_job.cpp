@@ -84,7 +84,9 @@ public:
             hits = engine->firstHits([&](double done) { prepare("finding first hits", done); });
         FeatureImage features;
         if (wantsFeatures)
-            features = engine->features([&](double done) { prepare("finding features", done); });
+            features = timed(seconds_.features, [&] {
+                return engine->features([&](double done) { prepare("finding features", done); });
+            });
         if (denoiser && !keeper.features())
             keeper.setFeatures(denoiserFeatures(features));
         const PictureWriter writer(job_.output, keeper.label(), hits, features, folders);

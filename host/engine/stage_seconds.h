@@ -12,6 +12,7 @@ struct StageSeconds {
     double build = 0.0; ///< of the BVH, including packing
     double upload = 0.0;
     double compile = 0.0;
+    double features = 0.0;    ///< of the pixels: the pass of --denoise and of averaged layers
     double firstSample = 0.0; ///< from the start of the program until every pixel had one sample
     double render = 0.0;      ///< sampling alone
     double denoise = 0.0;

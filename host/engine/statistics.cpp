@@ -74,6 +74,7 @@ std::string toJson(const RenderStatistics& statistics) {
                        {"build", seconds.build},
                        {"upload", seconds.upload},
                        {"compile", seconds.compile},
+                       {"features", seconds.features},
                        {"first_sample", seconds.firstSample},
                        {"render", seconds.render},
                        {"denoise", seconds.denoise},
