@@ -291,7 +291,7 @@ TEST(ObjCheckTest, RefusesModelsOfWhichNoFaceIsLeft) {
     }
 }
 
-TEST(ObjCheckTest, TakesTimeInProportion) {
+TEST(TimedObjCheckTest, TakesTimeInProportion) {
     const auto secondsFor = [](const std::string& text) {
         return test::processorSeconds([&] {
             try {
