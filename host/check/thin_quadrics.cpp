@@ -20,14 +20,14 @@ double proportionOf(const Shape& shape) {
 } // namespace
 
 void warnOfThinQuadrics(const Scene& scene, Warnings& warnings) {
-    constexpr double kRounding = 1e-9; // 1e-4 has no exact inverse
+    constexpr double kInverseRounding = 1e-9; // 1e-4 has no exact inverse
     const Shape* thinnest = nullptr;
     double greatest = 0.0;
     size_t count = 0;
     for (const Shape& shape : scene.shapes) {
         const double proportion = proportionOf(shape);
         const double excess = std::max(proportion, 1.0 / proportion);
-        if (excess <= kThinnestProportion * (1.0 + kRounding))
+        if (excess <= kThinnestProportion * (1.0 + kInverseRounding))
             continue;
         ++count;
         if (excess > greatest) {

@@ -16,6 +16,8 @@
 namespace calotype {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 using Duration = std::chrono::steady_clock::duration;
 
 constexpr Duration kBarInterval = std::chrono::milliseconds(100);
@@ -72,7 +74,6 @@ void Progress::show(double done, std::vector<LinePart> parts) {
 }
 
 void Progress::showJson(const std::string& stage, double done) {
-    using Json = nlohmann::ordered_json;
     const double seconds = secondsSince(start_);
     stage_ = stage;
     Json json;
