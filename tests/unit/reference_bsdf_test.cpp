@@ -2,7 +2,6 @@
 // holds for any material.
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -22,7 +21,6 @@ namespace {
 using reference::Bsdf;
 using reference::GgxLobe;
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kCosines[] = {1.0, 0.7, 0.25, 0.04};
 
 /// On a plane with normal z, whose frame is the world's.
