@@ -31,8 +31,8 @@ TEST_F(FrameTest, IsARotationForEveryNormal) {
     const auto frames = runKernel<glm::mat3x4>(kFrameSpirv, normals);
     double worst = 0.0;
     for (size_t i = 0; i < normals.size(); ++i) {
-        const glm::dmat3 frame(glm::dvec3(frames[i][0]), glm::dvec3(frames[i][1]),
-                               glm::dvec3(frames[i][2]));
+        const glm::dmat3 frame{glm::dvec3(frames[i][0]), glm::dvec3(frames[i][1]),
+                               glm::dvec3(frames[i][2])};
         EXPECT_EQ(glm::vec3(frames[i][2]), glm::vec3(normals[i]));
         const glm::dmat3 product = glm::transpose(frame) * frame;
         for (int column = 0; column < 3; ++column)
