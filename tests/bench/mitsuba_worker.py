@@ -13,6 +13,7 @@ import time
 from pathlib import Path
 
 import mitsuba as mi
+from rectangles import square_to
 
 variant, scene_file, samples = sys.argv[1], Path(sys.argv[2]), int(sys.argv[3])
 mi.set_variant(variant)
@@ -30,14 +31,7 @@ def diffuse(reflectance):
 
 
 def rectangle(vertices):
-    """Mitsuba's is the square [-1, 1]^2, its front where z points."""
-    a, b, c, d = vertices
-    u = [(y - x) / 2 for x, y in zip(a, b)]
-    v = [(y - x) / 2 for x, y in zip(a, d)]
-    n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
-    center = [(x + y) / 2 for x, y in zip(a, c)]
-    rows = [list(row) for row in zip(u, v, n, center)]
-    return {"type": "rectangle", "to_world": Transform(rows + [[0, 0, 0, 1]])}
+    return {"type": "rectangle", "to_world": Transform(square_to(vertices))}
 
 
 def mesh(shape):

@@ -16,6 +16,9 @@ import time
 import mitsuba as mi
 import numpy
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from rectangles import square_to  # noqa: E402  (of tests/bench)
+
 scene_file = pathlib.Path(sys.argv[1])
 description = json.loads(scene_file.read_text())
 mi.set_variant(sys.argv[2] if len(sys.argv) > 2 else "llvm_ad_rgb")
@@ -45,14 +48,7 @@ def material(name):
 
 
 def rectangle(vertices):
-    """Mitsuba's is the square [-1, 1]^2, its front where z points."""
-    a, b, c, d = vertices
-    u = [(y - x) / 2 for x, y in zip(a, b)]
-    v = [(y - x) / 2 for x, y in zip(a, d)]
-    n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
-    center = [(x + y) / 2 for x, y in zip(a, c)]
-    rows = [list(row) for row in zip(u, v, n, center)]
-    return {"type": "rectangle", "to_world": Transform(rows + [[0, 0, 0, 1]])}
+    return {"type": "rectangle", "to_world": Transform(square_to(vertices))}
 
 
 def translated():
@@ -128,7 +124,7 @@ def render(request):
     return seconds
 
 
-render({"spp": 1, "seed": 0, "picture": "", "denoise": "pyoidn" in sys.argv})
+render({"spp": 1, "seed": 0, "picture": "", "denoise": True})
 print("ready", flush=True)
 for line in sys.stdin:
     print(json.dumps({"seconds": render(json.loads(line))}), flush=True)
