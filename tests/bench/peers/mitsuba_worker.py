@@ -71,9 +71,8 @@ def translated():
     for number, shape in enumerate(description["shapes"]):
         result[f"shape{number}"] = {
             "type": "obj", "filename": str(scene_file.parent / shape["file"]),
-            "flip_tex_coords": False, "bsdf": material(shape["material"])}
-        if shape.get("normals") != "smooth" and not has_normals(shape["file"]):
-            result[f"shape{number}"]["face_normals"] = True
+            "face_normals": shape.get("normals") != "smooth", "flip_tex_coords": False,
+            "bsdf": material(shape["material"])}
     for number, lamp in enumerate(description["lights"]):
         result[f"lamp{number}"] = {
             **rectangle(lamp["vertices"]), "bsdf": {"type": "diffuse", "reflectance": rgb(0)},
@@ -81,10 +80,6 @@ def translated():
     if description["background"]:
         result["background"] = {"type": "constant", "radiance": rgb(description["background"])}
     return result
-
-
-def has_normals(file):
-    return "\nvn " in (scene_file.parent / file).read_text()
 
 
 scene = mi.load_dict(translated())

@@ -56,7 +56,7 @@ class SceneFolder:
 
     def model(self, file, materials, smooth=False, translate=(0, 0, 0), turn=0.0, scale=(1, 1, 1)):
         """An OBJ file, cut into one mesh for each of the materials; others are left out."""
-        for part, lines in parts(file, smooth, translate, turn, scale).items():
+        for part, lines in parts(file, translate, turn, scale).items():
             if part in materials:
                 self.mesh(lines, materials[part], smooth)
 
@@ -90,7 +90,7 @@ def ball(center, radius, rings):
 
 
 class Part:
-    """The faces of one material, with the vertices, coordinates and normals that they use."""
+    """The faces of one material, with the vertices and texture coordinates that they use."""
 
     def __init__(self):
         self.lines, self.faces, self.indices = [], [], {}
@@ -98,7 +98,7 @@ class Part:
     def add(self, corners, tables):
         self.faces.append("f " + " ".join(
             "/".join(self.index(kind, int(text), tables) if text else ""
-                     for kind, text in zip(("v", "vt", "vn"), corner.split("/")))
+                     for kind, text in zip(("v", "vt"), corner.split("/")))
             for corner in corners))
 
     def index(self, kind, number, tables):
@@ -111,25 +111,23 @@ class Part:
         return known[line]
 
 
-def parts(file, smooth, translate, turn, scale):
-    """Lines of an OBJ file by material. Without its normals if the mesh shall be smooth."""
+def parts(file, translate, turn, scale):
+    """Lines of an OBJ file by material, without its normals: where they point into a face's back,
+    the face is black in Mitsuba alone."""
     sine, cosine = math.sin(math.radians(turn)), math.cos(math.radians(turn))
 
     def turned(x, y, z):
         return cosine * x + sine * z, y, cosine * z - sine * x
-    tables, result, material = {"v": [], "vt": [], "vn": []}, {}, ""
+    tables, result, material = {"v": [], "vt": []}, {}, ""
     for line in file.read_text().splitlines():
         word, *values = line.split() or [""]
         if word == "v":
             point = turned(*(float(value) * s for value, s in zip(values, scale)))
             line = "v " + " ".join(f"{x + t:.7g}" for x, t in zip(point, translate))
-        elif word == "vn":
-            line = "vn " + " ".join(f"{x:.7g}" for x in turned(*map(float, values)))
         elif word == "usemtl":
             material = values[0]
         elif word == "f":
-            corners = ["/".join(v.split("/")[:2]) for v in values] if smooth else values
-            result.setdefault(material, Part()).add(corners, tables)
+            result.setdefault(material, Part()).add(values, tables)
         if word in tables:
             tables[word].append(line)
     return {material: part.lines + part.faces for material, part in result.items()}
