@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Renders a scene of scenes.py with Cycles (pip install bpy), once for each line of JSON on standard
-input: {"spp", "seed", "picture": file or "", "denoise", "adaptive", "light_tree"}.
+"""Renders a scene of scenes.py with Cycles (pip install bpy), once for each line of JSON on
+standard input: {"spp", "seed", "picture": file or "", "denoise", "adaptive", "light_tree"}.
 
 usage: cycles_worker.py SCENE.json
 
