@@ -10,10 +10,12 @@
 #include "config/features.glsl"
 #include "core/srgb.glsl"
 
-/// Texture coordinates wrapped into [0, 1].
+/// Texture coordinates wrapped into [0, 1], exactly but for those between -2 and 0. `precise` keeps
+/// compilers from subtracting the constant 1 from the coordinate first, which may round.
 vec2 wrapCoordinates(vec2 uv, uint flags) {
     vec2 repeated = uv - floor(uv);
-    vec2 mirrored = 1.0 - abs(uv - 2.0 * floor(0.5 * uv) - 1.0);
+    precise vec2 inPeriod = uv - 2.0 * floor(0.5 * uv);
+    vec2 mirrored = 1.0 - abs(inPeriod - 1.0);
     vec2 clamped = clamp(uv, 0.0, 1.0);
     return (flags & kTextureMirrors) != 0u  ? mirrored
            : (flags & kTextureClamps) != 0u ? clamped

@@ -36,7 +36,8 @@ bool isOnCylinderCap(vec3 p, float radius, float height) {
     return abs(abs(p.y) - 0.5 * height) < abs(length(p.xz) - radius);
 }
 
-/// The nearest point on the surface, at least `margin` away from a rim.
+/// The nearest point on the surface, at least `margin` away from a rim; that in direction x for a
+/// point on the axis.
 vec3 projectOntoCylinder(vec3 p, float radius, float height, float margin) {
     float distance = length(p.xz);
     if (isOnCylinderCap(p, radius, height)) {
@@ -45,16 +46,18 @@ vec3 projectOntoCylinder(vec3 p, float radius, float height, float margin) {
         return vec3(xz.x, p.y < 0.0 ? -0.5 * height : 0.5 * height, xz.y);
     }
     float highest = max(0.5 * height - margin, 0.0);
-    vec2 xz = p.xz * (radius / distance);
+    vec2 xz = distance > 0.0 ? p.xz * (radius / distance) : vec2(radius, 0.0);
     return vec3(xz.x, clamp(p.y, -highest, highest), xz.y);
 }
 
-/// Outward unit normal at a point near the surface; a point on the rim belongs to the side.
+/// Outward unit normal at a point near the surface; a point on the rim belongs to the side. On
+/// the axis it is the direction x.
 vec3 cylinderNormal(vec3 p, float radius, float height) {
     if (isOnCylinderCap(p, radius, height))
         return vec3(0.0, p.y < 0.0 ? -1.0 : 1.0, 0.0);
-    float scale = inversesqrt(dot(p.xz, p.xz));
-    return vec3(p.x * scale, 0.0, p.z * scale);
+    float square = dot(p.xz, p.xz);
+    vec2 outward = square > 0.0 ? p.xz * inversesqrt(square) : vec2(1.0, 0.0);
+    return vec3(outward.x, 0.0, outward.y);
 }
 
 #endif

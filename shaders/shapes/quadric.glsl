@@ -51,20 +51,35 @@ QuadricPoint spherePoint(Quadric sphere, vec3 p) {
 }
 
 /// The least distance of points from the rims of a solid. A point is moved off its face by its
-/// error; a ray from there must still find it on the inner side of the other face. That takes 32
-/// roundings of the solid's size and eight of its coordinates, but at most a 64th of the size, so
-/// that points of far solids do not move visibly.
+/// error; a ray from there must still find it on the inner side of the other face. Where the faces
+/// meet at a right angle, that takes 32 roundings of the solid's size and eight of its coordinates.
+/// Base and side of a cone of slope k meet at an angle alpha with 1 / tan(alpha / 2) =
+/// k + sqrt(1 + k^2): so many times a distance d from the rim, a point is inside both by d. The
+/// roundings above are enough up to a factor of 2. What a sharp rim and coordinates take is at most
+/// a 64th of the face, so that points of flat or far solids do not move visibly.
 float rimMargin(Quadric quadric) {
     vec3 center = abs(quadric.center);
     float height = abs(quadric.extent);
-    return GAMMA(32.0) * (quadric.radius + height) +
-           lesser(GAMMA(8.0) * (center.x + center.y + center.z),
-                  0.015625 * lesser(quadric.radius, height));
+    float slope = hasCones && quadric.kind == kCone ? quadric.slope : 0.0;
+    float sharpness = max(1.0, 0.5 * (slope + sqrt(1.0 + slope * slope)));
+    float ofSize = GAMMA(32.0) * (quadric.radius + height);
+    float ofCoordinates = GAMMA(8.0) * (center.x + center.y + center.z);
+    return ofSize + lesser((sharpness - 1.0) * ofSize + sharpness * ofCoordinates,
+                           0.015625 * lesser(quadric.radius, max(1.0, slope) * height));
+}
+
+/// What `error`, a vector of bounds along the axes, may add to the distance from a face of radius
+/// `radius`, beyond the part along the normal. Moved across the normal by e, a point is farther by
+/// sqrt(radius^2 + e^2) - radius <= min(e, e^2 / (2 radius)) <= e^2 / (radius + e / 2).
+float errorAcrossNormal(vec3 error, float radius) {
+    float square = dot(error, error);
+    return square / max(radius + 0.5 * sqrt(square), 1e-30);
 }
 
 /// The surface point nearest to `p`, which is in the quadric's frame. Error: projection and
 /// rotation take at most eight operations on numbers no larger than the shape; the sum with the
-/// centre adds one on its coordinates.
+/// centre adds one on its coordinates. Near an apex, or on a cylinder as thin as the error itself,
+/// the surface bends away within the error.
 QuadricPoint quadricPoint(Quadric quadric, vec3 p) {
     mat3 worldFromLocal = worldFromQuadric(quadric);
     if (hasSpheres && quadric.kind == kSphere)
@@ -88,8 +103,10 @@ QuadricPoint quadricPoint(Quadric quadric, vec3 p) {
     point.normal = normalize(worldFromLocal * normal);
     vec3 magnitude =
         abs(worldFromLocal[0] * p.x) + abs(worldFromLocal[1] * p.y) + abs(worldFromLocal[2] * p.z);
-    point.error =
-        dot(abs(point.normal), GAMMA(12.0) * magnitude + GAMMA(2.0) * abs(point.position));
+    vec3 error = GAMMA(12.0) * magnitude + GAMMA(2.0) * abs(point.position);
+    point.error = dot(abs(point.normal), error);
+    if ((hasCylinders || hasCones) && dot(normal.xz, normal.xz) > 0.0)
+        point.error += errorAcrossNormal(error, length(p.xz));
     return point;
 }
 

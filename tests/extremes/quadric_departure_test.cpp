@@ -102,9 +102,10 @@ TEST_P(QuadricDepartureTest, NeitherMeetsItselfNorEscapes) {
     EXPECT_EQ(mistakes.selfHits, 0u) << mistakes.example;
     EXPECT_EQ(mistakes.escapes, 0u) << mistakes.example;
     // Points are kept off the rims, so that moved inward by the one face they do not lie outside
-    // the other. But a flat cone is a wedge of as little as its height along all of its rim: where
-    // that is thinner than the 14 roundings of the radius by which points are moved.
-    const bool isFlatCone = kind == shared::kCone && proportion > 1.0;
+    // the other. They are moved by 14 roundings of the radius at most, which takes a distance of
+    // 28 slopes of these from the rim of a flat cone: more than the 64th that they are kept off
+    // where the slope is above 4681. There, the cone is thinner than this along much of its rim.
+    const bool isFlatCone = kind == shared::kCone && proportion > 4681.0;
     const double wedge = isFlatCone ? 14.0 * 0x1p-23 * proportion : 0.0;
     EXPECT_LE(mistakes.wrongSide, wedge * mistakes.rays / 2) << mistakes.example; // half go inward
     if (std::max(proportion, 1.0 / proportion) < 1.001 * kThinnestProportion)

@@ -69,6 +69,32 @@ TEST_P(QuadricProportionTest, CloseUpRaysHitASurfaceWithinRounding) {
     expectWithinRounding(quadrics, rays);
 }
 
+class ThinQuadricTest : public GpuTest {};
+
+// Where the radius of a side is less than a rounding of its coordinates, a step along the side is
+// one away from it: at the apex of a cone, and all along a cylinder.
+TEST_F(ThinQuadricTest, PositionsFarFromTheOriginAreAsExactAsTheySay) {
+    constexpr uint32_t kRaysPerQuadric = 1000;
+    for (const uint32_t kind : {shared::kCylinder, shared::kCone}) {
+        SCOPED_TRACE(nameOf(kind));
+        RandomNumbers random(242);
+        const double proportion = kind == shared::kCylinder ? 1e3 : 1e-3;
+        std::vector<shared::Quadric> quadrics = variedQuadrics(kind, random, proportion);
+        std::vector<shared::TestRay> rays;
+        for (uint32_t index = 0; index < quadrics.size(); ++index) {
+            shared::Quadric& quadric = quadrics[index];
+            quadric.center = glm::vec3(2e3 * double(quadric.radius) * random.direction());
+            if (kind == shared::kCylinder)
+                quadric.radius *= 1e-5f;
+            for (uint32_t i = 0; i < kRaysPerQuadric; ++i) {
+                const AimedRay ray = aimRay(RayKind::Apex, quadric, random);
+                rays.push_back(testRay(ray.origin, ray.direction, index | shared::kQuadricBit));
+            }
+        }
+        expectWithinRounding(quadrics, rays);
+    }
+}
+
 std::vector<Parameter> parameters(uint32_t raysPerQuadric) {
     std::vector<Parameter> all;
     for (const uint32_t kind : {shared::kCylinder, shared::kCone})

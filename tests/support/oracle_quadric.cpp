@@ -107,7 +107,7 @@ FaceAt faceAt(const shared::Quadric& quadric, const Vec3& world, const Vec3& nor
         return curved(glm::length(p) - quadric.radius, glm::normalize(p));
     case shared::kCylinder:
         if (std::abs(n.y) < 0.5L)
-            return curved(radius - quadric.radius, outward);
+            return curved(radius - quadric.radius, radius > 0.0L ? outward : n);
         return flat(std::abs(p.y) - 0.5L * quadric.extent,
                     Vec3(0.0L, std::copysign(1.0L, n.y), 0.0L));
     case shared::kCone: {

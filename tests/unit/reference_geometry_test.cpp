@@ -103,9 +103,13 @@ TEST(ReferenceGeometryTest, IsTheSameAtEveryScaleAndPlace) {
                     ++differences;
                     continue;
                 }
-                // The place of origin and shape is rounded to 1e-10 sizes, times 1 / cosine.
-                if (hit)
-                    EXPECT_NEAR(moved->t / scale, hit->t, 1e-14 + distance * 1e-13);
+                // The places of origin and shape, rounded, and eight operations on them.
+                const double rounding = 8.0 * 0x1p-53 * (2.0 + distance);
+                if (hit) {
+                    const double cosine =
+                        std::abs(glm::dot(geometry.surface(*hit, ray).ng, ray.direction));
+                    EXPECT_NEAR(moved->t / scale, hit->t, rounding / cosine);
+                }
             }
             // Moved edges, off by 1e-10 of a size, decide for next to no ray.
             EXPECT_EQ(differences, 0u) << scale << " " << distance;
