@@ -42,6 +42,14 @@ void boxMeans(const double* in, double* out, uint32_t count, size_t stride) {
     }
 }
 
+Plane luminancesOf(const Image& image) {
+    Plane luminances;
+    luminances.reserve(image.pixels.size());
+    for (const glm::vec3& pixel : image.pixels)
+        luminances.push_back(luminanceOf(pixel));
+    return luminances;
+}
+
 /// The mean over the box around each pixel, as far as it is in the picture.
 Plane boxMean(const Plane& plane, uint32_t width, uint32_t height) {
     Plane rows(plane.size());
@@ -59,16 +67,6 @@ Plane boxMean(const Plane& plane, uint32_t width, uint32_t height) {
 double weightOfSamples(double denoised, double variance) {
     const double error = std::max(denoised, 0.0);
     return variance > 0.0 ? error / (error + variance) : 1.0;
-}
-
-Image blend(const Image& denoised, const Image& samples, const Plane& errors,
-            const Plane& variances) {
-    Image image(samples.width, samples.height);
-    for (size_t i = 0; i < image.pixels.size(); ++i) {
-        const auto weight = static_cast<float>(weightOfSamples(errors[i], variances[i]));
-        image.pixels[i] = denoised.pixels[i] + weight * (samples.pixels[i] - denoised.pixels[i]);
-    }
-    return image;
 }
 
 /// Mean and standard error of a number that every pixel has, from the means of tiles.
@@ -166,21 +164,17 @@ public:
     }
 
     /// The variance of the luminance of one sample, from the spread of all replicas but one.
-    Plane varianceWithout(size_t left) const {
-        Plane variances(replicas_.front().mean.pixels.size());
-        for (size_t pixel = 0; pixel < variances.size(); ++pixel) {
-            double sum = 0.0;
-            double squares = 0.0;
-            for (size_t i = 0; i < count(); ++i)
-                if (i != left) {
-                    const double value = luminanceOf(replicas_[i].mean.pixels[pixel]);
-                    sum += replicas_[i].samples * value;
-                    squares += replicas_[i].samples * square(value);
-                }
-            const double spread = squares - square(sum) / samplesWithout(left);
-            variances[pixel] = std::max(spread, 0.0) / static_cast<double>(countWithout(left) - 1);
-        }
-        return variances;
+    double varianceWithout(size_t left, size_t pixel) const {
+        double sum = 0.0;
+        double squares = 0.0;
+        for (size_t i = 0; i < count(); ++i)
+            if (i != left) {
+                const double value = luminanceOf(replicas_[i].mean.pixels[pixel]);
+                sum += replicas_[i].samples * value;
+                squares += replicas_[i].samples * square(value);
+            }
+        const double spread = squares - square(sum) / samplesWithout(left);
+        return std::max(spread, 0.0) / static_cast<double>(countWithout(left) - 1);
     }
 
 private:
@@ -188,7 +182,9 @@ private:
     double samples_ = 0.0;
 };
 
-/// One denoised picture and its error.
+/// One denoised picture and its error. Of the pictures that were denoised without a replica, only
+/// the luminance is kept, and numbers that the replicas give again are not: the picture may be
+/// large.
 class CrossValidation {
 public:
     CrossValidation(std::span<const ReplicaPicture> replicas, Denoiser& denoiser,
@@ -196,17 +192,20 @@ public:
         : replicas_(replicas), denoiser_(denoiser), onProgress_(onProgress),
           pixels_(replicas.front().mean.pixels.size()), errorSums_(pixels_) {
         for (size_t i = 0; i < replicas_.count(); ++i) {
-            denoised_.push_back(denoisedWithout(i));
-            sampleVariances_.push_back(replicas_.varianceWithout(i));
-            errors_.push_back(squaredErrors(denoised_[i], i));
+            denoised_.push_back(luminancesOf(denoisedWithout(i)));
             for (size_t pixel = 0; pixel < pixels_; ++pixel)
-                errorSums_[pixel] += errors_[i][pixel];
+                errorSums_[pixel] += squaredError(denoised_[i][pixel], i, pixel);
         }
     }
 
     DenoisedPicture run() const {
         const size_t none = replicas_.count();
-        Image color = blended(denoisedWithout(none), none);
+        Image color = denoisedWithout(none);
+        const Plane weights = weightsOfSamples(none);
+        for (size_t i = 0; i < pixels_; ++i) {
+            const auto samples = glm::vec3(replicas_.meanWithout(none, i));
+            color.pixels[i] += static_cast<float>(weights[i]) * (samples - color.pixels[i]);
+        }
         const std::optional<DenoisedError> error = errorOf(color);
         return {std::move(color), error};
     }
@@ -221,51 +220,53 @@ private:
         return image;
     }
 
-    /// Unbiased estimates of a picture's squared errors by a replica that had no part in it: the
-    /// squared distances from that replica, less its own variance.
-    Plane squaredErrors(const Image& picture, size_t judge) const {
+    /// An unbiased estimate of the squared error of a luminance by a replica that had no part in
+    /// it: the squared distance from that replica, less its own variance.
+    double squaredError(double value, size_t judge, size_t pixel) const {
         const ReplicaPicture& replica = replicas_[judge];
-        Plane squares(pixels_);
-        for (size_t i = 0; i < pixels_; ++i)
-            squares[i] =
-                square(luminanceOf(picture.pixels[i]) - luminanceOf(replica.mean.pixels[i])) -
-                sampleVariances_[judge][i] / replica.samples;
-        return squares;
+        return square(value - luminanceOf(replica.mean.pixels[pixel])) -
+               replicas_.varianceWithout(judge, pixel) / replica.samples;
     }
 
-    /// Blends the denoised mean of all replicas but one with that mean. The one that is left out
-    /// will judge the blend, so it must not choose the weights.
-    Image blended(const Image& denoised, size_t left) const {
+    /// The weights of the samples in the blend of the denoised mean of all replicas but one with
+    /// that mean. The one that is left out will judge the blend, so it must not choose the weights.
+    Plane weightsOfSamples(size_t left) const {
         const bool isJudged = left < replicas_.count();
-        const auto judges = static_cast<double>(replicas_.countWithout(left));
         Plane errors = errorSums_;
-        Plane variances = isJudged ? sampleVariances_[left] : replicas_.varianceWithout(left);
+        Plane variances(pixels_);
         for (size_t i = 0; i < pixels_; ++i) {
-            errors[i] = (errors[i] - (isJudged ? errors_[left][i] : 0.0)) / judges;
-            variances[i] /= replicas_.samplesWithout(left);
+            errors[i] -= isJudged ? squaredError(denoised_[left][i], left, i) : 0.0;
+            errors[i] /= static_cast<double>(replicas_.countWithout(left));
+            variances[i] = replicas_.varianceWithout(left, i) / replicas_.samplesWithout(left);
         }
-        const uint32_t width = replicas_.width();
-        const uint32_t height = replicas_.height();
-        return blend(denoised, replicas_.meanWithout(left), boxMean(errors, width, height),
-                     boxMean(variances, width, height));
+        errors = boxMean(errors, replicas_.width(), replicas_.height());
+        variances = boxMean(variances, replicas_.width(), replicas_.height());
+        for (size_t i = 0; i < pixels_; ++i)
+            errors[i] = weightOfSamples(errors[i], variances[i]);
+        return errors;
     }
 
     /// The error of the picture: that of the same steps without each replica, as it judges them.
     std::optional<DenoisedError> errorOf(const Image& color) const {
+        if (!canStateError(color.width, color.height))
+            return std::nullopt;
         double meanLuminance = 0.0;
         for (const glm::vec3& pixel : color.pixels)
             meanLuminance += luminanceOf(pixel) / static_cast<double>(pixels_);
         const double floor = square(0.01 * meanLuminance);
         Plane shares(pixels_);
         for (size_t judge = 0; judge < replicas_.count(); ++judge) {
-            const Plane squares = squaredErrors(blended(denoised_[judge], judge), judge);
-            for (size_t i = 0; i < pixels_; ++i)
-                shares[i] += squares[i] / (square(luminanceOf(color.pixels[i])) + floor) /
+            const Plane weights = weightsOfSamples(judge);
+            for (size_t i = 0; i < pixels_; ++i) {
+                const double denoised = denoised_[judge][i];
+                const double samples = luminance(replicas_.meanWithout(judge, i));
+                const double blended = denoised + weights[i] * (samples - denoised);
+                shares[i] += squaredError(blended, judge, i) /
+                             (square(luminanceOf(color.pixels[i])) + floor) /
                              static_cast<double>(replicas_.count());
+            }
         }
         const TileMean share = meanOfTiles(shares, color.width, color.height);
-        if (!canStateError(color.width, color.height))
-            return std::nullopt;
         const auto above = [&](double quantile) {
             return relativeError(std::max(share.mean + quantile * share.standardError, 0.0));
         };
@@ -276,10 +277,8 @@ private:
     Denoiser& denoiser_;
     const std::function<void(double)>& onProgress_;
     size_t pixels_;
-    std::vector<Image> denoised_;        ///< for each replica: the mean of the others, denoised
-    std::vector<Plane> sampleVariances_; ///< of one sample, from the others
-    std::vector<Plane> errors_;          ///< squaredErrors of `denoised_`
-    Plane errorSums_;                    ///< sums of `errors_` over the replicas
+    std::vector<Plane> denoised_; ///< luminances of the mean of the others, denoised, per replica
+    Plane errorSums_;             ///< sums of the squaredErrors of `denoised_`
 };
 
 } // namespace

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "base/check.h"
 #include "base/error.h"
@@ -15,9 +14,9 @@ float exposureFor(const Image& picture) {
     return key > 0.0 ? static_cast<float>(kMiddleGrey / key) : 1.0f;
 }
 
-OidnDenoiser::OidnDenoiser(const OidnLibrary& library, std::optional<DenoiserFeatures> features,
+OidnDenoiser::OidnDenoiser(const OidnLibrary& library, const DenoiserFeatures* features,
                            const Image& typical, uint32_t threads)
-    : library_(library), features_(std::move(features)), color_(typical.width, typical.height),
+    : library_(library), color_(typical.width, typical.height),
       output_(typical.width, typical.height) {
     device_ = {library_.newDevice(OidnLibrary::kCpuDevice), library_.releaseDevice};
     if (!device_)
@@ -34,14 +33,15 @@ OidnDenoiser::OidnDenoiser(const OidnLibrary& library, std::optional<DenoiserFea
     filter_ = {library_.newFilter(device_.get(), "RT"), library_.releaseFilter};
     throwIfFailed();
     setImage("color", color_);
-    if (features_) {
-        setImage("albedo", features_->albedo);
-        setImage("normal", features_->normal);
-        library_.setFilterBool(filter_.get(), "cleanAux", features_->areMeans);
+    if (features) {
+        setImage("albedo", features->albedo);
+        setImage("normal", features->normal);
+        library_.setFilterBool(filter_.get(), "cleanAux", features->areMeans);
     }
     setImage("output", output_);
     library_.setFilterBool(filter_.get(), "hdr", true);
     library_.setFilterInt(filter_.get(), "quality", OidnLibrary::kHighQuality);
+    library_.setFilterInt(filter_.get(), "maxMemoryMB", kMostMegabytes);
     library_.setFilterFloat(filter_.get(), "inputScale", exposureFor(typical));
     library_.commitFilter(filter_.get());
     throwIfFailed();

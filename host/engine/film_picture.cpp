@@ -1,10 +1,13 @@
 #include "engine/film_picture.h"
 
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/available_memory.h"
 #include "base/error.h"
+#include "engine/denoising_memory.h"
 #include "engine/exr_metadata.h"
 #include "film/develop.h"
 #include "image/denoised_mark.h"
@@ -23,6 +26,11 @@ CleanPicture denoiseFilm(const PictureDenoiser& denoiser, const std::string& pat
         throw SceneError(path, "the film cannot be denoised: it has no samples; render more");
     if (const std::string why = denoiser.whyTooFewSamples(kept.film); !why.empty())
         throw SceneError(path, "the film cannot be denoised: " + why);
+    const uint64_t bytes =
+        denoisingBytes(denoiser.kind(), kept.film.pixelCount(), replicaCount(kept.film));
+    if (const std::string why = whyNoRoom(bytes, availableMemory()); !why.empty())
+        throw SceneError(path, "the film cannot be denoised here: that " + why +
+                                   "; denoise it on a machine with more memory");
     return denoiser.run(kept.film, kept.film.picture(), kept.features, threads, onProgress);
 }
 

@@ -16,13 +16,6 @@
 namespace calotype {
 namespace {
 
-uint32_t replicaCount(const Film& film) {
-    uint32_t count = 0;
-    for (uint32_t i = 0; i < shared::kReplicas; ++i)
-        count += film.samplesOfReplica(i) > 0 ? 1 : 0;
-    return count;
-}
-
 std::vector<ReplicaPicture> replicasOf(const Film& film) {
     std::vector<ReplicaPicture> replicas;
     for (uint32_t i = 0; i < shared::kReplicas; ++i)
@@ -49,6 +42,13 @@ std::string whyUnstatedFor(const Film& film, const std::optional<DenoisedError>&
 
 } // namespace
 
+uint32_t replicaCount(const Film& film) {
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < shared::kReplicas; ++i)
+        count += film.samplesOfReplica(i) > 0 ? 1 : 0;
+    return count;
+}
+
 PictureDenoiser::PictureDenoiser(DenoiserKind kind, const std::string& library,
                                  DeviceKeeper* device)
     : kind_(kind), device_(device) {
@@ -56,7 +56,7 @@ PictureDenoiser::PictureDenoiser(DenoiserKind kind, const std::string& library,
         return;
     library_.emplace(library);
     try { // now, not after the render
-        OidnDenoiser(*library_, std::nullopt, Image(1, 1), 1);
+        OidnDenoiser(*library_, nullptr, Image(1, 1), 1);
     } catch (const Error& error) {
         throw SettingError("denoise", std::string("cannot be used here: ") + error.what());
     }
@@ -100,7 +100,8 @@ std::unique_ptr<Denoiser>
 PictureDenoiser::denoiserFor(const std::optional<DenoiserFeatures>& features, const Image& typical,
                              uint32_t threads) const {
     if (kind_ == DenoiserKind::Oidn)
-        return std::make_unique<OidnDenoiser>(*library_, features, typical, threads);
+        return std::make_unique<OidnDenoiser>(*library_, features ? &*features : nullptr, typical,
+                                              threads);
     const Image black(typical.width, typical.height);
     DenoiserFeatures known = features.value_or(DenoiserFeatures{black, black});
     if (!device_ || isReference(device_->options()))

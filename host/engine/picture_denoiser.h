@@ -23,6 +23,9 @@ struct CleanPicture {
     std::string whyUnstated; ///< why there is no error, in words such as "too few samples to tell"
 };
 
+/// The number of the film's replicas that have samples.
+uint32_t replicaCount(const Film& film);
+
 /// Denoises pictures by the denoiser that the settings name.
 class PictureDenoiser {
 public:
@@ -32,6 +35,8 @@ public:
     /// what to do if it is not there. The statistical denoiser runs on `device`, which `run` opens,
     /// and which must outlive this object; null, or the reference: in double precision on the CPU.
     PictureDenoiser(DenoiserKind kind, const std::string& library, DeviceKeeper* device = nullptr);
+
+    DenoiserKind kind() const { return kind_; }
 
     /// Whether it cannot denoise a picture alone.
     bool needsReplicas() const { return kind_ == DenoiserKind::Statistical; }

@@ -15,6 +15,7 @@
 #include "base/output_failures.h"
 #include "base/stopwatch.h"
 #include "engine/denoised_goal.h"
+#include "engine/denoising_memory.h"
 #include "engine/film_keeper.h"
 #include "engine/film_label.h"
 #include "engine/loss_warnings.h"
@@ -28,6 +29,7 @@
 #include "engine/statistics.h"
 #include "film/develop.h"
 #include "render/render_session.h"
+#include "settings/limits.h"
 
 namespace calotype {
 namespace {
@@ -63,6 +65,8 @@ public:
         requireConsistent(job_);
         result_.warnings = scene_.warnings;
         const std::vector<std::filesystem::path> folders = outputFolders();
+        requireDenoisingMemory(settings_, job_.limitsSamples ? settings_.samplesPerPixel
+                                                             : kMostSamplesPerPixel);
         std::optional<PictureDenoiser> denoiser;
         if (settings_.denoiser != DenoiserKind::Off)
             denoiser.emplace(settings_.denoiser, device_.options().denoiserLibrary, &device_);
@@ -89,6 +93,8 @@ public:
             });
         if (denoiser && !keeper.features())
             keeper.setFeatures(denoiserFeatures(features));
+        if (!hasSource(layers, LayerSource::Averaged)) // 32 bytes per pixel
+            features = {};
         const PictureWriter writer(job_.output, keeper.label(), hits, features, folders);
         if (callbacks_.onPrepared)
             callbacks_.onPrepared();

@@ -1,5 +1,7 @@
 #include "denoise/oidn_denoiser.h"
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <random>
 #include <string>
@@ -65,22 +67,56 @@ protected:
 };
 
 TEST_F(OidnTest, RemovesNoise) {
-    OidnDenoiser denoiser(*library_, featuresOfTruth(), noisy(1), 0);
+    const DenoiserFeatures features = featuresOfTruth();
+    OidnDenoiser denoiser(*library_, &features, noisy(1), 0);
     EXPECT_LT(meanSquaredError(denoiser.run({noisy(1), {}, 0})), 0.02 * meanSquaredError(noisy(1)));
     EXPECT_EQ(denoiser.name().rfind("Open Image Denoise 2.", 0), 0u) << denoiser.name();
 }
 
 // Cross-validation compares pictures that went through the same function.
 TEST_F(OidnTest, DependsOnThePictureAlone) {
-    OidnDenoiser denoiser(*library_, featuresOfTruth(), noisy(1), 0);
+    const DenoiserFeatures features = featuresOfTruth();
+    OidnDenoiser denoiser(*library_, &features, noisy(1), 0);
     const Image first = denoiser.run({noisy(2), {}, 0});
     Image bright = noisy(3);
     for (glm::vec3& pixel : bright.pixels)
         pixel *= 100.0f;
     denoiser.run({bright, {}, 0});
     EXPECT_EQ(denoiser.run({noisy(2), {}, 0}).pixels, first.pixels);
-    OidnDenoiser other(*library_, featuresOfTruth(), noisy(1), 1);
+    OidnDenoiser other(*library_, &features, noisy(1), 1);
     EXPECT_EQ(other.run({noisy(2), {}, 0}).pixels, first.pixels) << "with one thread";
+}
+
+/// A wave times noise of mean 1, as a part of a picture of `width` and more.
+Image noisyWave(uint32_t width, uint32_t height) {
+    Image image(width, height);
+    for (uint32_t y = 0; y < height; ++y) {
+        std::mt19937 random(y); // so that a row begins like the row of a wider picture
+        std::exponential_distribution<float> noise(1.0f);
+        for (uint32_t x = 0; x < width; ++x)
+            image.at(x, y) = glm::vec3((1.0f + std::sin(0.03f * float(x + y))) * noise(random));
+    }
+    return image;
+}
+
+// A picture of 1664 x 1024 pixels takes two tiles, a part of it one. Farther from its edge than a
+// pixel can depend on, both are the same but for the order of sums.
+TEST_F(OidnTest, SlowTilesLeaveNoTrace) {
+    constexpr uint32_t kHeight = 1024;
+    constexpr uint32_t kReach = 128;
+    const auto denoised = [&](uint32_t width) {
+        Image grey(width, kHeight);
+        std::ranges::fill(grey.pixels, glm::vec3(1.0f)); // so that both have the same scale
+        return OidnDenoiser(*library_, nullptr, grey, 0).run({noisyWave(width, kHeight), {}, 0});
+    };
+    const Image whole = denoised(1664);
+    const Image part = denoised(1024);
+    double largest = 0.0;
+    for (uint32_t y = 0; y < kHeight; ++y)
+        for (uint32_t x = 0; x < 1024 - kReach; ++x)
+            largest = std::max<double>(largest, std::abs(whole.at(x, y).g - part.at(x, y).g));
+    EXPECT_LT(largest, 1e-4);
+    EXPECT_NE(whole.at(1023, 500), part.at(1023, 500));
 }
 
 TEST(OidnLibraryTest, SaysHowToGetIt) {
