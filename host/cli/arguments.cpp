@@ -113,14 +113,6 @@ void addDisplayOptions(CLI::App& command, DisplayTransform& display) {
         ->group("Output");
 }
 
-void addStageOptions(CLI::App& command, StageList& stages) {
-    for (const Stage& stage : allStages())
-        command
-            .add_flag_callback(
-                "--" + stage.name, [&stages, &stage] { stages.push_back(&stage); }, stage.help)
-            ->group("Output");
-}
-
 void addLayerOption(CLI::App& command, LayerList& layers, const LayerList& available) {
     std::string description = "Layers of .exr outputs, separated by commas:";
     for (const Layer* layer : available)

@@ -16,8 +16,6 @@ void addDeviceOptions(CLI::App& command, DeviceOptions& device, const std::strin
 void addThreadsOption(CLI::App& command, uint32_t& threads);
 CLI::Option* addStatsOption(CLI::App& command, std::string& file);
 void addDisplayOptions(CLI::App& command, DisplayTransform& display);
-/// Adds a flag for each stage of the table.
-void addStageOptions(CLI::App& command, StageList& stages);
 /// The help of the option lists the available layers.
 void addLayerOption(CLI::App& command, LayerList& layers, const LayerList& available);
 void addQuietFlag(CLI::App& command, bool& quiet);

@@ -6,8 +6,8 @@
 #include "base/error.h"
 #include "engine/render_job.h"
 #include "engine/scene_settings.h"
-#include "film/develop.h"
 #include "image/image_format.h"
+#include "image/layers.h"
 
 namespace calotype {
 namespace {
@@ -99,11 +99,6 @@ OutputClaims checkOutputs(const MergeOptions& options) {
         throw UsageError(
             "films hold samples of light alone; of the layers of --aov, merge writes " +
             namesOf(layersOfFilms()));
-    for (const Stage* stage : options.stages)
-        if (hasSource(neededLayers({}, {stage}), LayerSource::FirstHit))
-            throw UsageError(
-                "--" + stage->name +
-                " needs layers of first hits, and films hold none; use it with render");
     return claims;
 }
 

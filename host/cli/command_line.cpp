@@ -107,7 +107,6 @@ CLI::App& addMergeCommand(CLI::App& app, MergeOptions& options) {
                   "Replace an existing film even if it holds samples that these films lack")
         ->multi_option_policy(CLI::MultiOptionPolicy::Throw);
     addLayerOption(command, options.layers, layersOfFilms());
-    addStageOptions(command, options.stages);
     addDisplayOptions(command, options.display);
     addSettings(command, kMergeCommand, options.settings);
     addThreadsOption(command, options.threads);

@@ -100,7 +100,7 @@ private:
             return denoiseFilm(denoiser, path, kept, options_.threads, onProgress);
         });
         input_ = {kept.film.samplesPerPixel(), estimateError(kept.film), nameOf(kept.features)};
-        return pictureOf(kept, {}, {}, clean_);
+        return pictureOf(kept, {}, clean_);
     }
 
     Picture ofPicture(const PictureDenoiser& denoiser) {

@@ -99,8 +99,7 @@ int mergeCommand(const MergeOptions& options) {
     for (const std::string& path : options.outputs)
         failures.attempt([&] {
             if (imageFormatOf(path))
-                writePicture(path, pictureOf(joined, options.layers, options.stages, clean),
-                             options.display);
+                writePicture(path, pictureOf(joined, options.layers, clean), options.display);
             else
                 writeFilm(path, joined.label, joined.film, joined.features);
         });

@@ -10,7 +10,6 @@
 #include "engine/output_options.h"
 #include "film/block_ranges.h"
 #include "film/display_transform.h"
-#include "film/stages.h"
 #include "image/layer.h"
 #include "read/load.h"
 #include "settings/device_options.h"
@@ -72,7 +71,6 @@ struct MergeOptions {
     std::vector<std::string> outputs; ///< films, or pictures by their extensions
     DisplayTransform display;
     LayerList layers; ///< of the EXR outputs, beside the picture
-    StageList stages;
     GivenSettings settings;
     uint32_t threads = 0;               ///< of the denoiser; 0: all cores
     std::optional<BlockRange> required; ///< that the films must hold

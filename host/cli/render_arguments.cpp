@@ -19,7 +19,6 @@ void addOutputOptions(CLI::App& command, OutputOptions& output) {
         ->group(kOutput);
     addDisplayOptions(command, output.display);
     addLayerOption(command, output.layers, allLayers());
-    addStageOptions(command, output.stages);
     addParsed(command, "--preview-every", output.previewInterval, parsePreviewInterval,
               "Write the picture so far every N samples, or every so many seconds", "N|10s")
         ->group(kOutput);

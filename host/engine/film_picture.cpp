@@ -43,9 +43,9 @@ std::string featureWarning(const std::string& path, const KeptFilm& kept) {
            path + " --denoise oidn -o FILE finds them";
 }
 
-Picture pictureOf(const KeptFilm& kept, const LayerList& layers, const StageList& stages,
+Picture pictureOf(const KeptFilm& kept, const LayerList& layers,
                   const std::optional<CleanPicture>& clean) {
-    Picture picture = develop(clean ? clean->color : kept.film.picture(), layers, stages,
+    Picture picture = develop(clean ? clean->color : kept.film.picture(), layers,
                               [&](const Layer& layer) { return channelsOf(layer, kept.film); });
     describe(picture, kept.label, kept.film.samplesPerPixel());
     if (clean)

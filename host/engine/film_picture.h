@@ -5,7 +5,6 @@
 
 #include "engine/picture_denoiser.h"
 #include "film/film_file.h"
-#include "film/stages.h"
 #include "image/layer.h"
 #include "image/picture.h"
 
@@ -23,7 +22,7 @@ std::string featureWarning(const std::string& path, const KeptFilm& kept);
 
 /// The picture of a film, or of `clean`, which was made of it, with layers of layersOfFilms() and
 /// its metadata.
-Picture pictureOf(const KeptFilm& kept, const LayerList& layers, const StageList& stages,
+Picture pictureOf(const KeptFilm& kept, const LayerList& layers,
                   const std::optional<CleanPicture>& clean);
 
 /// Adds to a denoised picture what it was before, as the layer "noisy", and metadata that say how

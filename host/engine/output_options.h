@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "film/display_transform.h"
-#include "film/stages.h"
 #include "image/layer.h"
 
 namespace calotype {
@@ -21,7 +20,6 @@ struct OutputOptions {
     std::vector<std::string> pictures; ///< their extensions name the format
     DisplayTransform display;          ///< of PNG
     LayerList layers;                  ///< of EXR, beside the picture
-    StageList stages;
     PreviewInterval previewInterval;
     std::string previewFile; ///< empty: the first picture
     std::string statsFile;   ///< empty: none

@@ -42,8 +42,8 @@ Picture PictureWriter::pictureOf(Session& session, const std::optional<CleanPict
         }
         return session.channelsOf(layer);
     };
-    Picture picture = develop(clean ? clean->color : session.picture(), options_.layers,
-                              options_.stages, makeChannels);
+    Picture picture =
+        develop(clean ? clean->color : session.picture(), options_.layers, makeChannels);
     describe(picture, label_, session.totals().samplesPerPixel);
     if (clean)
         describeClean(*clean, session.picture(), picture);

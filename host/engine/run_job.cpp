@@ -27,7 +27,7 @@
 #include "engine/scene_settings.h"
 #include "engine/spare_file.h"
 #include "engine/statistics.h"
-#include "film/develop.h"
+#include "image/layers.h"
 #include "render/render_session.h"
 #include "settings/limits.h"
 
@@ -73,7 +73,7 @@ public:
         FilmKeeper keeper(job_.film, labelOf(scene_, settings_), settings_.crop,
                           denoiser ? ReplicaDetail::Color : ReplicaDetail::Luminance, folders,
                           [&](const std::string& warning) { warn(warning); });
-        const LayerList layers = neededLayers(job_.output.layers, job_.output.stages);
+        const LayerList& layers = job_.output.layers;
         const bool wantsHits = hasSource(layers, LayerSource::FirstHit);
         const bool wantsFeatures =
             (denoiser && !keeper.features()) || hasSource(layers, LayerSource::Averaged);

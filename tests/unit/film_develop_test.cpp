@@ -1,8 +1,6 @@
 // From a film to a picture with layers.
 #include "film/develop.h"
 
-#include <algorithm>
-
 #include <gtest/gtest.h>
 
 #include "film/error_estimate.h"
@@ -32,48 +30,10 @@ std::vector<std::string> namesOfChannels(const Picture& picture) {
     return names;
 }
 
-/// Divides the colour by the green albedo, and keeps what was there before.
-void demodulate(Picture& picture) {
-    const auto albedo = std::ranges::find(picture.channels, "albedo.G", &Channel::name);
-    ASSERT_NE(albedo, picture.channels.end());
-    std::vector<float> before;
-    for (size_t i = 0; i < picture.color.pixels.size(); ++i) {
-        before.push_back(picture.color.pixels[i].g);
-        picture.color.pixels[i] /= std::get<std::vector<float>>(albedo->pixels)[i];
-    }
-    picture.channels.push_back({"before.G", before});
-    picture.metadata.push_back({"stage", "demodulate"});
-}
-
-void addOne(Picture& picture) {
-    for (glm::vec3& pixel : picture.color.pixels)
-        pixel += 1.0f;
-}
-
-const Stage kDemodulate{"demodulate", "", {"albedo", "depth"}, demodulate};
-const Stage kAddOne{"add-one", "", {}, addOne};
-
 TEST(DevelopTest, MakesTheLayersThatAreWanted) {
-    const Picture picture =
-        develop(grey(3.0f), {findLayer("depth"), findLayer("uv")}, {}, numbered);
+    const Picture picture = develop(grey(3.0f), {findLayer("depth"), findLayer("uv")}, numbered);
     EXPECT_EQ(picture.color.pixels, grey(3.0f).pixels);
     EXPECT_EQ(namesOfChannels(picture), (std::vector<std::string>{"depth.Z", "uv.U", "uv.V"}));
-}
-
-TEST(DevelopTest, RunsTheStagesInTheirOrder) {
-    EXPECT_EQ(develop(grey(3.0f), {}, {&kAddOne, &kDemodulate}, numbered).color.pixels,
-              grey(2.0f).pixels);
-    EXPECT_EQ(develop(grey(3.0f), {}, {&kDemodulate, &kAddOne}, numbered).color.pixels,
-              grey(2.5f).pixels);
-}
-
-TEST(DevelopTest, GivesStagesTheirLayersAndKeepsWhatTheyAdd) {
-    const LayerList wanted = {findLayer("depth")};
-    EXPECT_EQ(namesOf(neededLayers(wanted, {&kDemodulate, &kAddOne})), "depth, albedo");
-    const Picture picture = develop(grey(3.0f), wanted, {&kDemodulate}, numbered);
-    EXPECT_EQ(namesOfChannels(picture), (std::vector<std::string>{"depth.Z", "before.G"}));
-    ASSERT_EQ(picture.metadata.size(), 1u);
-    EXPECT_EQ(picture.metadata[0].name, "stage");
 }
 
 Film twoReplicas() {
