@@ -1,17 +1,15 @@
 #include "render/feature_pass.h"
 
 #include "kernels/features.spv.h"
-#include "render/loop_budget.h"
 #include "render/specialization.h"
 #include "shared/bindings.h"
 
 namespace calotype {
 namespace {
 
-shared::FeatureParameters parametersFor(const Device& device, const GpuScene& scene,
-                                        const RenderSettings& settings) {
-    auto parameters = passParameters<shared::FeatureParameters>(settings.width, settings.height,
-                                                                settings.crop, loopBudget(device));
+shared::RecordParameters parametersFor(const Device& device, const GpuScene& scene,
+                                       const RenderSettings& settings) {
+    shared::RecordParameters parameters = recordParameters(device, settings);
     parameters.seed = featureSeed(settings.seed);
     parameters.infiniteLight = scene.infiniteLight;
     return parameters;
@@ -30,7 +28,7 @@ FeatureImage FeaturePass::run(uint32_t rays, const std::function<void(double)>& 
     FeatureImage image(parameters_.cropSize.x, parameters_.cropSize.y);
     cutRays_ = 0;
     const auto take = [&](uint32_t x, uint32_t y, const shared::FeatureRecord& record) {
-        add(record.sum, image.at(x, y));
+        add(record.features, image.at(x, y));
         cutRays_ += record.isCut;
     };
     for (uint32_t ray = 0; ray < rays; ++ray) {
@@ -47,7 +45,7 @@ FeatureImage FeaturePass::run(uint32_t rays, const std::function<void(double)>& 
 }
 
 uint64_t featurePassBytes(const RenderSettings& settings) {
-    return RecordPass<shared::FeatureRecord, shared::FeatureParameters>::deviceBytes(settings.crop);
+    return RecordPass<shared::FeatureRecord>::deviceBytes(settings.crop);
 }
 
 } // namespace calotype

@@ -4,13 +4,9 @@
 #include <functional>
 
 #include "image/features.h"
-#include "pack/gpu_scene.h"
 #include "render/feature_rays.h"
 #include "render/record_pass.h"
-#include "render/scene_buffers.h"
-#include "settings/render_settings.h"
 #include "shared/layers.h"
-#include "shared/render_structs.h"
 
 namespace calotype {
 
@@ -31,8 +27,8 @@ public:
     uint64_t cutRays() const { return cutRays_; }
 
 private:
-    shared::FeatureParameters parameters_;
-    RecordPass<shared::FeatureRecord, shared::FeatureParameters> pass_;
+    shared::RecordParameters parameters_;
+    RecordPass<shared::FeatureRecord> pass_;
     uint64_t cutRays_ = 0;
 };
 

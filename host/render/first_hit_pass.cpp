@@ -2,7 +2,6 @@
 
 #include "base/check.h"
 #include "kernels/first_hit.spv.h"
-#include "render/loop_budget.h"
 #include "shared/bindings.h"
 
 namespace calotype {
@@ -20,9 +19,7 @@ std::vector<uint32_t> constantsFor(const SceneFeatures& features) {
 
 FirstHitPass::FirstHitPass(const Device& device, const GpuScene& scene, const SceneBuffers& buffers,
                            const SceneFeatures& features, const RenderSettings& settings)
-    : origin_(scene.origin),
-      parameters_(passParameters<shared::FirstHitParameters>(settings.width, settings.height,
-                                                             settings.crop, loopBudget(device))),
+    : origin_(scene.origin), parameters_(recordParameters(device, settings)),
       pass_(device, scene, buffers, settings.crop,
             {"first hit", kFirstHitSpirv, shared::kBindingFirstHits, constantsFor(features)}) {
     CALOTYPE_CHECK_EQ(scene.triangleUvs.size(), scene.triangles.size());
@@ -49,8 +46,7 @@ FirstHit FirstHitPass::toFirstHit(const shared::FirstHitRecord& record) const {
 }
 
 uint64_t firstHitPassBytes(const RenderSettings& settings) {
-    return RecordPass<shared::FirstHitRecord, shared::FirstHitParameters>::deviceBytes(
-        settings.crop);
+    return RecordPass<shared::FirstHitRecord>::deviceBytes(settings.crop);
 }
 
 } // namespace calotype

@@ -4,12 +4,8 @@
 #include <functional>
 
 #include "image/first_hit.h"
-#include "pack/gpu_scene.h"
 #include "render/record_pass.h"
-#include "render/scene_buffers.h"
-#include "settings/render_settings.h"
 #include "shared/layers.h"
-#include "shared/render_structs.h"
 
 namespace calotype {
 
@@ -34,8 +30,8 @@ private:
     FirstHit toFirstHit(const shared::FirstHitRecord& record) const;
 
     glm::dvec3 origin_;
-    shared::FirstHitParameters parameters_;
-    RecordPass<shared::FirstHitRecord, shared::FirstHitParameters> pass_;
+    shared::RecordParameters parameters_;
+    RecordPass<shared::FirstHitRecord> pass_;
     uint64_t cutPixels_ = 0;
 };
 

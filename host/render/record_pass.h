@@ -13,18 +13,20 @@
 #include "gpu/compute_pipeline.h"
 #include "pack/gpu_scene.h"
 #include "render/dispatch_sizer.h"
+#include "render/loop_budget.h"
 #include "render/scene_buffers.h"
 #include "render/tiles.h"
 #include "settings/crop.h"
+#include "settings/render_settings.h"
 #include "shared/bindings.h"
 #include "shared/limits.h"
+#include "shared/render_structs.h"
 
 namespace calotype {
 
-/// A kernel that traces a ray of each pixel, and writes a Record for it. `Parameters` are its push
-/// constants, with `imageSize`, `cropOrigin`, `cropSize` and `firstTile`. Within a tile, records
-/// are row by row.
-template <typename Record, typename Parameters>
+/// A kernel that traces a ray of each pixel, and writes a Record for it. Its push constants are
+/// shared::RecordParameters. Within a tile, records are row by row.
+template <typename Record>
 class RecordPass {
 public:
     /// 16 MiB of records and more: far below any device's limit on a storage buffer.
@@ -51,13 +53,13 @@ public:
                              .spirv = kernel.spirv,
                              .bindings = bindings(buffers, kernel.binding),
                              .constants = kernel.constants,
-                             .pushConstantBytes = sizeof(Parameters)}) {}
+                             .pushConstantBytes = sizeof(shared::RecordParameters)}) {}
 
     /// Calls take(x, y, record) for each pixel of the crop, counted from its top left corner.
     /// `onProgress`, if given, is called about ten times a second with the share done in [0, 1]; it
     /// may throw to end the work.
     template <typename Take>
-    void run(Parameters parameters, const Take& take,
+    void run(shared::RecordParameters parameters, const Take& take,
              const std::function<void(double)>& onProgress) {
         for (uint32_t first = 0; first < tileCount_;) {
             const uint32_t count = std::min(sizer_.tiles(), tileCount_ - first);
@@ -114,15 +116,14 @@ private:
     ComputePipeline pipeline_;
 };
 
-/// Of both kinds of passes.
-template <typename Parameters>
-Parameters passParameters(uint32_t width, uint32_t height, const Crop& crop,
-                          uint32_t iterationsBeforeCut) {
-    Parameters parameters{};
-    parameters.imageSize = {width, height};
-    parameters.cropOrigin = {crop.x, crop.y};
-    parameters.cropSize = {crop.width, crop.height};
-    parameters.iterationsBeforeCut = iterationsBeforeCut;
+/// What all such kernels need.
+inline shared::RecordParameters recordParameters(const Device& device,
+                                                 const RenderSettings& settings) {
+    shared::RecordParameters parameters{};
+    parameters.imageSize = {settings.width, settings.height};
+    parameters.cropOrigin = {settings.crop.x, settings.crop.y};
+    parameters.cropSize = {settings.crop.width, settings.crop.height};
+    parameters.iterationsBeforeCut = loopBudget(device);
     return parameters;
 }
 

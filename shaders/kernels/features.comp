@@ -10,13 +10,13 @@
 #include "path/features.glsl"
 
 layout(local_size_x = kTileSize * kTileSize) in;
-layout(push_constant) uniform Parameters { FeatureParameters parameters; };
+layout(push_constant) uniform Parameters { RecordParameters parameters; };
 layout(set = 0, binding = kBindingCamera) uniform CameraBlock { Camera camera; };
 layout(set = 0, binding = kBindingFeatures) writeonly buffer FeatureWords { uint words[]; };
 
 void putRecord(uint index, FeatureRecord record) {
     uint place = index * kFeatureWords;
-#define CALOTYPE_PUT(name, type, channels, help) PUT_WORDS(words, place, record.sum.name)
+#define CALOTYPE_PUT(name, type, channels, help) PUT_WORDS(words, place, record.features.name)
     CALOTYPE_AVERAGED_LAYERS(CALOTYPE_PUT)
 #undef CALOTYPE_PUT
     PUT_WORDS(words, place, record.isCut)

@@ -9,7 +9,7 @@
 #include "path/first_hit.glsl"
 
 layout(local_size_x = kTileSize * kTileSize) in;
-layout(push_constant) uniform Parameters { FirstHitParameters parameters; };
+layout(push_constant) uniform Parameters { RecordParameters parameters; };
 layout(set = 0, binding = kBindingCamera) uniform CameraBlock { Camera camera; };
 layout(set = 0, binding = kBindingFirstHits) writeonly buffer FirstHits { uint words[]; };
 

@@ -60,7 +60,7 @@ void extendFeatures(inout FeatureSearch search, Hit hit, Camera camera, uint inf
     vec3 wo = -search.ray.direction;
     if (hit.primitive == kNone) {
         if (hasInfiniteLights && infiniteLight != kNone)
-            search.record.sum.meanAlbedo =
+            search.record.features.meanAlbedo =
                 search.throughput * albedoOfLight(infiniteLightRadiance(loadLight(infiniteLight),
                                                                         pointAtInfinity(-wo)));
         return;
@@ -76,8 +76,8 @@ void extendFeatures(inout FeatureSearch search, Hit hit, Camera camera, uint inf
         return;
     }
     if (search.bounce == 0u) {
-        search.record.sum.meanDepth = dot(surface.position - camera.position, camera.forward);
-        search.record.sum.alpha = 1.0;
+        search.record.features.meanDepth = dot(surface.position - camera.position, camera.forward);
+        search.record.features.alpha = 1.0;
     }
     vec3 albedo = vec3(0.0);
     if (hasLights && surface.light != kNone)
@@ -93,8 +93,8 @@ void extendFeatures(inout FeatureSearch search, Hit hit, Camera camera, uint inf
         return;
     }
     float side = dot(wo, surface.ng) >= 0.0 ? 1.0 : -1.0;
-    search.record.sum.meanAlbedo = search.throughput * max(albedo, surfaceAlbedo(material));
-    search.record.sum.meanNormal = side * surface.ns;
+    search.record.features.meanAlbedo = search.throughput * max(albedo, surfaceAlbedo(material));
+    search.record.features.meanNormal = side * surface.ns;
 }
 
 #endif

@@ -98,8 +98,8 @@ struct Features {
 
 /// The result of the feature kernel for a pixel, in kFeatureWords words as above.
 struct FeatureRecord {
-    Features sum;
-    uint isCut; ///< 1 if a limit ended the search at a surface where the ray would go on
+    Features features; ///< of one ray
+    uint isCut;        ///< 1 if a limit ended the search at a surface where the ray would go on
 };
 
 #define CALOTYPE_ADD_WORDS(name, type, channels, help) +CALOTYPE_WORDS_OF_##type

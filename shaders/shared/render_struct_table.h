@@ -32,27 +32,19 @@ FIELD(uint, pad1, z)
 FIELD(uint, pad2, w)
 END(RenderCounters)
 
-// Push constants. A dispatch finds the first hits of the pixels of a run of tiles.
-STRUCT(FirstHitParameters)
+// Push constants. A dispatch finds the first hits of the pixels of a run of tiles, or the features
+// that one ray of each of these pixels shows.
+STRUCT(RecordParameters)
 ROW(uvec2, imageSize, xy)    ///< of the whole film, pixels
 FIELD(uvec2, cropOrigin, zw) ///< first pixel of the picture on the film
 ROW(uvec2, cropSize, xy)     ///< of the picture, pixels
 FIELD(uint, firstTile, z)
 FIELD(uint, iterationsBeforeCut, w) ///< loop iterations after which a search ends as it is
-END(FirstHitParameters)
-
-// Push constants. A dispatch finds the features that one ray of each pixel of a run of tiles shows.
-STRUCT(FeatureParameters)
-ROW(uvec2, imageSize, xy)    ///< of the whole film, pixels
-FIELD(uvec2, cropOrigin, zw) ///< first pixel of the picture on the film
-ROW(uvec2, cropSize, xy)     ///< of the picture, pixels
-FIELD(uint, firstTile, z)
-FIELD(uint, iterationsBeforeCut, w) ///< loop iterations after which a search ends as it is
-ROW(uint, sampleIndex, x)
+ROW(uint, sampleIndex, x)           ///< of the ray; this and the fields below are of features
 FIELD(uint, seed, y)
 FIELD(uint, infiniteLight, z) ///< the light of rays that hit no surface, or kNone
 FIELD(uint, pad0, w)
-END(FeatureParameters)
+END(RecordParameters)
 
 #undef STRUCT
 #undef ROW

@@ -54,10 +54,10 @@ TEST_F(LayoutTest, IsTheSameInHostAndKernel) {
     const auto camera = distinct.make<shared::Camera>();
     struct Parameters {
         shared::RenderParameters render;
-        shared::FirstHitParameters firstHit;
+        shared::RecordParameters record;
     } parameters{};
     parameters.render = distinct.make<shared::RenderParameters>();
-    parameters.firstHit = distinct.make<shared::FirstHitParameters>();
+    parameters.record = distinct.make<shared::RecordParameters>();
     const auto rayList = distinct.make<shared::RayListParameters>();
     const auto counters = distinct.make<shared::RenderCounters>();
     const std::array records = {shared::FirstHitRecord{}, distinct.make<shared::FirstHitRecord>()};

@@ -13,7 +13,7 @@
 layout(local_size_x = 1) in;
 layout(push_constant) uniform Parameters {
     RenderParameters parameters;
-    FirstHitParameters firstHitParameters;
+    RecordParameters recordParameters;
 };
 layout(set = 0, binding = kBindingCamera) uniform CameraBlock { Camera camera; };
 layout(set = 0, binding = kBindingCounters) readonly buffer CountersBlock {
@@ -67,7 +67,7 @@ void main() {
 #include "shared/binding_table.h"
     put(camera);
     put(parameters);
-    put(firstHitParameters);
+    put(recordParameters);
     put(rayListParameters);
     put(counters);
     for (uint i = 0u; i < kFirstHitWords; ++i)
