@@ -12,12 +12,12 @@
 namespace calotype {
 namespace {
 
-bool isExr(const std::string& path) { return imageFormatOf(path) == ImageFormat::Exr; }
+bool namesExr(const std::string& path) { return imageFormatOf(path) == ImageFormat::Exr; }
 
 bool isPicture(const std::string& path) { return imageFormatOf(path).has_value(); }
 
 void requireExrFor(const LayerList& layers, const std::vector<std::string>& outputs) {
-    if (!layers.empty() && std::ranges::none_of(outputs, isExr))
+    if (!layers.empty() && std::ranges::none_of(outputs, namesExr))
         throw UsageError("--aov writes layers of EXR files, and no output is one; add -o FILE.exr");
 }
 

@@ -13,10 +13,13 @@
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
 #include "cli/output_claims.h"
+#include "cli/read_scene.h"
 #include "engine/json_document.h"
 #include "image/denoised_mark.h"
 #include "image/difference.h"
 #include "image/difference_picture.h"
+#include "image/exr.h"
+#include "image/exr_check.h"
 #include "image/image_format.h"
 #include "image/png.h"
 #include "image/read_image.h"
@@ -47,6 +50,9 @@ struct ComparedPicture {
     explicit ComparedPicture(std::string file)
         : path(std::move(file)), image(readImage(path)), mark(readMark(path)) {
         throwIfInterrupted("interrupted; nothing was compared");
+        if (isExr(signatureOf(path)) && hasOtherPrimaries(path))
+            printWarning(path + " has other primaries (its attribute chromaticities) than those "
+                                "of Rec. 709; its numbers are compared as they are");
     }
 };
 

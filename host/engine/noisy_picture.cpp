@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "base/file_kind.h"
 #include "engine/film_picture.h"
+#include "image/check_size.h"
 #include "image/denoised_mark.h"
 #include "image/exr.h"
 #include "image/exr_check.h"
@@ -32,16 +33,6 @@ void requireExr(const std::filesystem::path& path) {
                      "the file is " +
                          (kind.empty() ? "none that can be denoised" : std::string(kind)) +
                          "; films and EXR files can be denoised");
-}
-
-/// A small file can claim any size.
-void requireArea(const std::filesystem::path& path) {
-    const ImageSize size = checkExr(path);
-    if (uint64_t{size.width} * size.height > kMostPicturePixels)
-        throw SceneError(path.string(),
-                         "the picture has " + std::to_string(size.width) + " x " +
-                             std::to_string(size.height) + " pixels, more than the " +
-                             std::to_string(kMostPicturePixels) + " that can be denoised");
 }
 
 /// Three channels of floats; none if the picture lacks one of them.
@@ -129,7 +120,11 @@ void requireFinite(const Image& image, const std::string& path) {
 
 NoisyPicture readNoisyPicture(const std::filesystem::path& path) {
     requireExr(path);
-    requireArea(path);
+    checkArea(checkExr(path), kMostPicturePixels, "denoised", path.string());
+    if (hasOtherPrimaries(path))
+        throw SceneError(path.string(), "the picture has other primaries (its attribute "
+                                        "chromaticities) than those of Rec. 709, in which "
+                                        "pictures are denoised; convert it");
     NoisyPicture noisy{readExrPicture(path), {}, ""};
     undoDenoising(noisy.picture, path.string());
     requireFinite(noisy.picture.color, path.string());

@@ -18,8 +18,8 @@ struct NoisyPicture {
 };
 
 /// Reads the picture: of a file that was denoised before its layer "noisy". Throws SceneError if
-/// the file cannot be read, is no EXR file, is denoised and has no such layer, or has pixels that
-/// are not finite.
+/// the file cannot be read, is no EXR file, is denoised and has no such layer, has other primaries
+/// than Rec. 709's, or has pixels that are not finite.
 NoisyPicture readNoisyPicture(const std::filesystem::path& path);
 
 /// The picture after denoising, with its layers and metadata.

@@ -250,6 +250,23 @@ Image readExr(const std::filesystem::path& path) {
     return withExrErrors(path, [&] { return readPicture(path, false).color; });
 }
 
+bool hasOtherPrimaries(const std::filesystem::path& path) {
+    return withExrErrors(path, [&] {
+        checkExr(path);
+        const Imf::InputFile file(path.c_str());
+        const Imf::Header& header = file.header();
+        if (!Imf::hasChromaticities(header)) // then they are those of Rec. 709
+            return false;
+        constexpr float kRounding = 1e-3f;
+        const Imf::Chromaticities& named = Imf::chromaticities(header);
+        const Imf::Chromaticities ours;
+        return !(named.red.equalWithAbsError(ours.red, kRounding) &&
+                 named.green.equalWithAbsError(ours.green, kRounding) &&
+                 named.blue.equalWithAbsError(ours.blue, kRounding) &&
+                 named.white.equalWithAbsError(ours.white, kRounding));
+    });
+}
+
 std::vector<Attribute> readExrMetadata(const std::filesystem::path& path) {
     return withExrErrors(path, [&] {
         checkExr(path);

@@ -22,6 +22,10 @@ Image readExr(const std::filesystem::path& path);
 /// display window.
 Picture readExrPicture(const std::filesystem::path& path);
 
+/// Whether the file names other primaries, or another white point, than those of Rec. 709, as which
+/// its colours are read. Throws SceneError likewise.
+bool hasOtherPrimaries(const std::filesystem::path& path);
+
 /// Reads only the attributes that writeExr writes. Throws SceneError likewise.
 std::vector<Attribute> readExrMetadata(const std::filesystem::path& path);
 

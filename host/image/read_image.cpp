@@ -23,6 +23,7 @@ namespace {
 constexpr uintmax_t kLargestFile = kMostPicturePixels * sizeof(glm::vec3) + 4096;
 /// In bytes: the longest signature, "#?RADIANCE".
 constexpr size_t kSignature = 10;
+constexpr const char* kUse = "compared"; ///< of pictures, for messages
 
 std::ifstream openRegularFile(const std::filesystem::path& path) {
     std::error_code unknown;
@@ -49,16 +50,8 @@ std::string readBytes(std::ifstream& file, size_t count) {
 size_t sizeOfFile(const std::filesystem::path& path) {
     const uintmax_t size = std::filesystem::file_size(path);
     if (size > kLargestFile)
-        throw SceneError(path.string(), "the picture is larger than 3 GiB; compare a part of it");
+        throw SceneError(path.string(), "the picture is larger than 3 GiB; cut a part out of it");
     return size;
-}
-
-void checkArea(const ImageSize& size, uint64_t mostPixels, const std::string& where) {
-    if (uint64_t{size.width} * size.height > mostPixels)
-        throw SceneError(where, "the picture has " + std::to_string(size.width) + " x " +
-                                    std::to_string(size.height) + " pixels, more than the " +
-                                    std::to_string(mostPixels) +
-                                    " that can be compared; compare a part of it");
 }
 
 Image linearImage(const TexelImage& texels) {
@@ -88,7 +81,7 @@ Image readImage(const std::filesystem::path& path, uint64_t mostPixels) {
     std::ifstream file = openRegularFile(path);
     const std::string signature = readBytes(file, kSignature);
     if (isExr(signature)) {
-        checkArea(checkExr(path), mostPixels, where);
+        checkArea(checkExr(path), mostPixels, kUse, where);
         return readExr(path);
     }
     const size_t fileSize = sizeOfFile(path);
@@ -106,9 +99,9 @@ Image readImage(const std::filesystem::path& path, uint64_t mostPixels) {
     }
     const std::string bytes = readBytes(file, fileSize);
     if (isPng(bytes))
-        checkArea(checkPng(bytes, where), mostPixels, where);
+        checkArea(checkPng(bytes, where), mostPixels, kUse, where);
     const TexelImage texels = readTexelImage(bytes, kLargestPictureSide, where);
-    checkArea({texels.width, texels.height}, mostPixels, where);
+    checkArea({texels.width, texels.height}, mostPixels, kUse, where);
     return linearImage(texels);
 }
 

@@ -155,6 +155,15 @@ TEST_F(CompareTest, RefusesPicturesThatCannotBeCompared) {
     expectFailure(runProgram({"compare", infinite, b_}), 3, "no pixel is finite");
 }
 
+TEST_F(CompareTest, WarnsOfOtherPrimaries) {
+    const std::string other = folder_.write("other.exr", withOtherPrimaries(readText(a_)));
+    const ProgramResult result = runProgram({"compare", other, a_, "--max-relmse", "0"});
+    EXPECT_EQ(result.exitCode, 0);
+    EXPECT_NE(result.errors.find("warning: " + other + " has other primaries"), std::string::npos)
+        << result.errors;
+    EXPECT_EQ(result.errors.find(a_ + " has other"), std::string::npos) << result.errors;
+}
+
 TEST_F(CompareTest, RefusesFilesThatAreNoPictures) {
     const std::string text = folder_.write("text.exr", "no picture");
     const std::string cut = folder_.write("cut.exr", readText(a_).substr(0, 300));

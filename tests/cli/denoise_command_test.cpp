@@ -13,6 +13,7 @@
 #include "cli/cli_test.h"
 #include "film/film_file.h"
 #include "image/exr.h"
+#include "support/image_files.h"
 #include "support/paths.h"
 #include "support/test_denoiser.h"
 
@@ -259,9 +260,13 @@ TEST_F(DenoiseCommandTest, RefusesWhatCannotBeDenoised) {
     Picture picture = readExrPicture(picture_);
     picture.color.at(3, 2).g = std::numeric_limits<float>::infinity();
     writeExr(picture_, picture);
+    writeExr(folder_ / "b.exr", picture);
     expectFailure(denoise(picture_, output_), 3, "1 pixels are not finite, the first at (3, 2)");
     ProgramOptions nowhere;
     nowhere.environment["CALOTYPE_OIDN"] = "/nowhere";
+    const std::string other =
+        folder_.write("other.exr", withOtherPrimaries(readText(folder_ / "b.exr")));
+    expectFailure(denoise(other, output_), 3, "has other primaries");
     expectFailure(runProgram({"denoise", film_, "-o", output_}, nowhere), 2,
                   "calotype denoise needs Open Image Denoise 2");
     EXPECT_EQ(std::ranges::count(folder_.names(), "out.exr"), 0);

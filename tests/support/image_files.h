@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,15 @@ inline std::string pngChunk(const std::string& type, const std::string& data) {
     bytes += type + data;
     appendBigEndian(bytes, ~crc);
     return bytes;
+}
+
+/// An EXR file, with the red primary of DCI-P3 instead of its own.
+inline std::string withOtherPrimaries(std::string exr) {
+    const std::string attribute("chromaticities\0chromaticities", 29); // its name and type
+    const float red[] = {0.68f, 0.32f};
+    std::memcpy(&exr.at(exr.find(attribute) + attribute.size() + 1 + sizeof(int32_t)), red,
+                sizeof red);
+    return exr;
 }
 
 /// A PNG whose rows, filter bytes included, are stored without compression (65535 bytes at most).
