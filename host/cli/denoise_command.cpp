@@ -81,9 +81,10 @@ public:
         progress_.clear();
         throwIfInterrupted(kNothingWritten);
         deadline.reset();
-        write(picture);
+        const DisplayTransform display = withExposureOf(picture.color, options_.display);
+        write(picture, display);
         if (!options_.quiet)
-            printSummary(picture.color);
+            printSummary(display);
         return kExitDone;
     }
 
@@ -121,11 +122,11 @@ private:
             printWarning(warning);
     }
 
-    void write(const Picture& picture) {
+    void write(const Picture& picture, const DisplayTransform& display) {
         OutputFailures failures;
         timed(seconds_.write, [&] {
             for (const std::string& path : options_.outputs)
-                failures.attempt([&] { writePicture(path, picture, options_.display); });
+                failures.attempt([&] { writePicture(path, picture, display); });
             return 0;
         });
         if (!options_.statsFile.empty())
@@ -134,11 +135,11 @@ private:
         failures.throwIfAny();
     }
 
-    void printSummary(const Image& image) const {
+    void printSummary(const DisplayTransform& display) const {
         std::fprintf(stderr, "%s: denoised by %s in %s, %s\n", listed(options_.outputs).c_str(),
                      clean_.denoiser.c_str(), durationText(seconds_.denoise).c_str(),
                      errorText(clean_).c_str());
-        printExposure(options_.outputs, chosenExposure(options_.display, image));
+        printExposure(options_.outputs, chosenExposure(options_.display, display));
     }
 
     std::string statisticsOf(const Image& image) const {

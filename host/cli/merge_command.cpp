@@ -93,18 +93,18 @@ int mergeCommand(const MergeOptions& options) {
     std::optional<CleanPicture> clean;
     if (denoiser)
         clean = denoised(*denoiser, options, joined);
-    const auto exposure =
-        chosenExposure(options.display, clean ? clean->color : joined.film.picture());
+    const DisplayTransform display =
+        withExposureOf(clean ? clean->color : joined.film.picture(), options.display);
     OutputFailures failures;
     for (const std::string& path : options.outputs)
         failures.attempt([&] {
             if (imageFormatOf(path))
-                writePicture(path, pictureOf(joined, options.layers, clean), options.display);
+                writePicture(path, pictureOf(joined, options.layers, clean), display);
             else
                 writeFilm(path, joined.label, joined.film, joined.features);
         });
     failures.throwIfAny();
-    printExposure(options.outputs, exposure);
+    printExposure(options.outputs, chosenExposure(options.display, display));
     return kExitDone;
 }
 

@@ -27,8 +27,8 @@ void printExposure(const std::vector<std::string>& outputs, const std::optional<
                      *chosen, *chosen);
 }
 
-std::optional<float> chosenExposure(const DisplayTransform& display, const Image& picture) {
-    return display.exposureStops ? std::nullopt : std::optional(exposureOf(picture));
+std::optional<float> chosenExposure(const DisplayTransform& wanted, const DisplayTransform& shown) {
+    return wanted.exposureStops ? std::nullopt : shown.exposureStops;
 }
 
 } // namespace calotype

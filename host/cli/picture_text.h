@@ -22,7 +22,7 @@ std::string unstatedText(const std::string& why);
 /// is a PNG among the outputs, and its exposure was chosen.
 void printExposure(const std::vector<std::string>& outputs, const std::optional<float>& chosen);
 
-/// The exposure that `display` leaves to the picture; none if it does not.
-std::optional<float> chosenExposure(const DisplayTransform& display, const Image& picture);
+/// The exposure of `shown`, if `wanted` leaves it to the picture.
+std::optional<float> chosenExposure(const DisplayTransform& wanted, const DisplayTransform& shown);
 
 } // namespace calotype

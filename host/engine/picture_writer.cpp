@@ -11,7 +11,8 @@
 
 namespace calotype {
 
-void PictureWriter::writeOutputs(Session& session, const std::optional<CleanPicture>& clean) const {
+void PictureWriter::writeOutputs(Session& session, const std::optional<CleanPicture>& clean,
+                                 const DisplayTransform& display) const {
     if (options_.pictures.empty())
         return;
     const Picture picture = pictureOf(session, clean);
@@ -19,7 +20,7 @@ void PictureWriter::writeOutputs(Session& session, const std::optional<CleanPict
     for (const std::string& output : options_.pictures)
         failures.attempt([&] {
             SpareFile(output, spareFolders_).write("the picture", [&](const auto& path) {
-                writePicture(path, picture, options_.display);
+                writePicture(path, picture, display);
             });
         });
     failures.throwIfAny();

@@ -28,8 +28,10 @@ public:
           spareFolders_(std::move(spareFolders)) {}
 
     /// Writes every output that can be written, then throws OutputError with all failures, and
-    /// where those pictures are kept. `clean`, if there is one, is the picture after denoising.
-    void writeOutputs(Session& session, const std::optional<CleanPicture>& clean) const;
+    /// where those pictures are kept. `clean`, if there is one, is the picture after denoising;
+    /// `display` takes the place of that of the options.
+    void writeOutputs(Session& session, const std::optional<CleanPicture>& clean,
+                      const DisplayTransform& display) const;
 
     /// Throws OutputError. `clean` is the picture so far after denoising, if it is denoised.
     void writePreview(Session& session, const std::optional<CleanPicture>& clean) const;

@@ -120,8 +120,8 @@ public:
         std::exception_ptr denoiserFailure;
         if (denoiser && session->totals().samplesPerPixel > 0)
             denoiserFailure = denoisePicture(*denoiser, denoisedGoal, *session, keeper.features());
-        writeAll(*session, *engine, writer, failures);
-        takePixels(*session);
+        const DisplayTransform display = takePixels(*session);
+        writeAll(*session, *engine, writer, display, failures);
         engine->finish();
         for (const std::string& warning :
              lossWarnings(result_.totals.losses, engine->cutPixels(), engine->cutFeatureRays()))
@@ -294,9 +294,9 @@ private:
 
     /// If one of the outputs fails, the others are still written.
     void writeAll(Session& session, const RenderEngine& engine, const PictureWriter& writer,
-                  OutputFailures& failures) {
+                  const DisplayTransform& display, OutputFailures& failures) {
         const Clock::time_point before = Clock::now();
-        failures.attempt([&] { writer.writeOutputs(session, clean_); });
+        failures.attempt([&] { writer.writeOutputs(session, clean_, display); });
         seconds_.write = secondsSince(before);
         if (!job_.output.statsFile.empty())
             failures.attempt([&] {
@@ -314,17 +314,20 @@ private:
         return foldersOf(files);
     }
 
-    void takePixels(Session& session) {
+    /// Returns how PNGs show the picture.
+    DisplayTransform takePixels(Session& session) {
         result_.width = settings_.crop.width;
         result_.height = settings_.crop.height;
-        const bool choosesExposure = !job_.output.display.exposureStops;
-        if (!job_.returnsPixels && !choosesExposure)
-            return;
+        const DisplayTransform& wanted = job_.output.display;
+        if (!job_.returnsPixels && wanted.exposureStops)
+            return wanted;
         const Image picture = clean_ ? clean_->color : session.picture();
         if (job_.returnsPixels)
             result_.pixels = floatsOf(picture);
-        if (choosesExposure)
-            result_.exposureStops = exposureOf(picture);
+        const DisplayTransform display = withExposureOf(picture, wanted);
+        if (!wanted.exposureStops)
+            result_.exposureStops = display.exposureStops;
+        return display;
     }
 
     const Scene& scene_;

@@ -27,8 +27,14 @@ float exposureOf(const Image& image) {
     return static_cast<float>(std::round(10.0 * stops) / 10.0 + 0.0); // never -0
 }
 
+DisplayTransform withExposureOf(const Image& image, DisplayTransform transform) {
+    if (!transform.exposureStops)
+        transform.exposureStops = exposureOf(image);
+    return transform;
+}
+
 Rgb8Image toDisplay(const Image& image, const DisplayTransform& transform) {
-    const float gain = std::exp2(transform.exposureStops.value_or(exposureOf(image)));
+    const float gain = std::exp2(*withExposureOf(image, transform).exposureStops);
     Rgb8Image shown(image.width, image.height);
     for (size_t i = 0; i < image.pixels.size(); ++i) {
         const glm::vec3& pixel = image.pixels[i];

@@ -18,6 +18,9 @@ struct DisplayTransform {
 /// to tenths, so that a printed number gives the same picture. 0 for a black picture.
 float exposureOf(const Image& image);
 
+/// The transform with the exposure that it leaves to the picture.
+DisplayTransform withExposureOf(const Image& image, DisplayTransform transform);
+
 /// Exposes, tone maps, encodes as sRGB and rounds to the nearest of 256 levels. Channels that are
 /// negative or not finite become 0 first.
 Rgb8Image toDisplay(const Image& image, const DisplayTransform& transform);
