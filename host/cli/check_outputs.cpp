@@ -66,6 +66,11 @@ OutputClaims checkOutputs(const RenderOptions& options) {
 }
 
 OutputClaims checkOutputs(const DenoiseOptions& options) {
+    RenderSettings settings;
+    options.settings.applyTo(settings);
+    if (options.settings.has("denoise") && settings.denoiser == DenoiserKind::Off)
+        throw UsageError("--denoise off leaves this command nothing to do; name oidn or "
+                         "statistical");
     OutputClaims claims;
     claims.reserve(options.input);
     for (const std::string& path : options.outputs)
@@ -93,6 +98,9 @@ OutputClaims checkOutputs(const MergeOptions& options) {
     options.settings.applyTo(settings);
     if (settings.denoiser != DenoiserKind::Off && std::ranges::none_of(options.outputs, isPicture))
         throw UsageError("--denoise is for pictures, and no output is one; add -o FILE.exr");
+    if (settings.denoiser == DenoiserKind::Off && options.threads > 0)
+        throw UsageError("--threads is for the denoiser, and there is none; add --denoise oidn, or "
+                         "leave it out");
     requireExrFor(options.layers, options.outputs);
     if (hasSource(options.layers, LayerSource::FirstHit) ||
         hasSource(options.layers, LayerSource::Averaged))

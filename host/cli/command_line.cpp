@@ -109,6 +109,9 @@ CLI::App& addMergeCommand(CLI::App& app, MergeOptions& options) {
     addLayerOption(command, options.layers, layersOfFilms());
     addDisplayOptions(command, options.display);
     addSettings(command, kMergeCommand, options.settings);
+    command.get_option("--denoise")
+        ->description("Remove the noise of the pictures, and state their error: off (default), "
+                      "oidn (Open Image Denoise 2), or statistical, on the CPU");
     addThreadsOption(command, options.threads);
     command.add_flag("--json", options.asJson, "Print what the films hold as JSON (docs/json.md)");
     command.footer("Prints which samples the films hold, and which are missing in between.\n\n"
@@ -117,8 +120,8 @@ CLI::App& addMergeCommand(CLI::App& app, MergeOptions& options) {
 }
 
 CLI::App& addDenoiseCommand(CLI::App& app, DenoiseOptions& options) {
-    CLI::App& command = *app.add_subcommand(
-        "denoise", "Denoise a film, and state the error, or an EXR picture (Open Image Denoise 2)");
+    CLI::App& command =
+        *app.add_subcommand("denoise", "Denoise a film, and state the error, or an EXR picture");
     command
         .add_option("input", options.input,
                     "Film that was rendered with --denoise, or .exr picture, best with the layers "
@@ -134,6 +137,11 @@ CLI::App& addDenoiseCommand(CLI::App& app, DenoiseOptions& options) {
         ->take_all();
     addDisplayOptions(command, options.display);
     addStatsOption(command, options.statsFile)->group("Output");
+    addSettings(command, kDenoiseCommand, options.settings);
+    command.get_option("--denoise")
+        ->description("Denoiser: oidn (Open Image Denoise 2, the default), or statistical, on the "
+                      "CPU, of a film")
+        ->type_name("oidn|statistical");
     addThreadsOption(command, options.threads);
     addQuietFlag(command, options.quiet);
     command.footer(

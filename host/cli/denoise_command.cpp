@@ -39,10 +39,13 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kNothingWritten = "interrupted; nothing was written";
 
-PictureDenoiser loadDenoiser() {
+PictureDenoiser loadDenoiser(const GivenSettings& given) {
+    RenderSettings settings;
+    settings.denoiser = DenoiserKind::Oidn;
+    given.applyTo(settings);
     try {
-        return PictureDenoiser(DenoiserKind::Oidn, denoiserLibrary());
-    } catch (const SettingError& error) { // the command has no --denoise
+        return PictureDenoiser(settings.denoiser, denoiserLibrary());
+    } catch (const SettingError& error) { // the command needs no --denoise
         throw UsageError("calotype denoise " + error.problem());
     }
 }
@@ -76,7 +79,7 @@ public:
     int run() {
         const OutputClaims claims = checkOutputs(options_);
         std::optional<InterruptDeadline> deadline(kNothingWritten);
-        const PictureDenoiser denoiser = loadDenoiser();
+        const PictureDenoiser denoiser = loadDenoiser(options_.settings);
         const Picture picture = isFilm(options_.input) ? ofFilm(denoiser) : ofPicture(denoiser);
         progress_.clear();
         throwIfInterrupted(kNothingWritten);
@@ -106,6 +109,9 @@ private:
 
     Picture ofPicture(const PictureDenoiser& denoiser) {
         NoisyPicture noisy = timed(seconds_.load, [&] { return readNoisyPicture(options_.input); });
+        if (denoiser.needsReplicas())
+            throw UsageError("--denoise statistical is for films: an EXR file has no replicas of "
+                             "the samples; use oidn");
         warn(noisy.warning);
         clean_ = timed(seconds_.denoise, [&] {
             return denoiser.run(noisy.picture.color, noisy.features, options_.threads);

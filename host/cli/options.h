@@ -61,7 +61,8 @@ struct DenoiseOptions {
     std::vector<std::string> outputs; ///< pictures
     DisplayTransform display;
     std::string statsFile; ///< empty: none
-    uint32_t threads = 0;  ///< 0: all cores
+    GivenSettings settings;
+    uint32_t threads = 0; ///< 0: all cores
     bool quiet = false;
 };
 

@@ -82,7 +82,7 @@ void addPicture(std::vector<Setting>& rows) {
                         "Denoise 2), or statistical, which mixes only pixels whose "
                         "difference may be noise",
                 .group = SettingGroup::Picture,
-                .commands = kRenderCommand | kMergeCommand,
+                .commands = kRenderCommand | kMergeCommand | kDenoiseCommand,
                 .isOfScene = true},
                kDenoisers, [](auto& settings) -> auto& { return settings.denoiser; }));
 }

@@ -25,6 +25,7 @@ enum SettingCommand : uint32_t {
     kBenchCommand = 4,
     kInfoCommand = 8,
     kMergeCommand = 16,
+    kDenoiseCommand = 32,
 };
 
 /// One row of the table of settings. Command line, help, film labels, metadata, statistics, study

@@ -108,6 +108,8 @@ TEST_F(DenoiseCommandTest, MergeRefusesWhatCannotBeDenoised) {
                   "with --denoise from the start");
     expectFailure(run({"merge", film_, "--denoise", "oidn", "-o", folder_ / "b.film"}), 2,
                   "add -o FILE.exr");
+    expectFailure(run({"merge", film_, "--threads", "2", "-o", output_}), 2,
+                  "--threads is for the denoiser");
     ProgramOptions nowhere;
     nowhere.environment["CALOTYPE_OIDN"] = "/nowhere";
     expectFailure(runProgram({"merge", film_, "--denoise", "oidn", "-o", output_}, nowhere), 2,
@@ -258,15 +260,15 @@ TEST_F(DenoiseCommandTest, RefusesWhatCannotBeDenoised) {
     expectFailure(denoise(picture_, folder_ / "out.film"), 2, "no known extension");
     expectFailure(run({"denoise", picture_}), 2, "--output");
     Picture picture = readExrPicture(picture_);
+    writeExr(folder_ / "b.exr", picture);
     picture.color.at(3, 2).g = std::numeric_limits<float>::infinity();
     writeExr(picture_, picture);
-    writeExr(folder_ / "b.exr", picture);
     expectFailure(denoise(picture_, output_), 3, "1 pixels are not finite, the first at (3, 2)");
-    ProgramOptions nowhere;
-    nowhere.environment["CALOTYPE_OIDN"] = "/nowhere";
     const std::string other =
         folder_.write("other.exr", withOtherPrimaries(readText(folder_ / "b.exr")));
     expectFailure(denoise(other, output_), 3, "has other primaries");
+    ProgramOptions nowhere;
+    nowhere.environment["CALOTYPE_OIDN"] = "/nowhere";
     expectFailure(runProgram({"denoise", film_, "-o", output_}, nowhere), 2,
                   "calotype denoise needs Open Image Denoise 2");
     EXPECT_EQ(std::ranges::count(folder_.names(), "out.exr"), 0);

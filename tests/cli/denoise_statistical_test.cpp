@@ -99,7 +99,7 @@ TEST_F(StatisticalDenoiseTest, WarnsOfTooFewSamples) {
 }
 
 // Without a device, on the CPU.
-TEST_F(StatisticalDenoiseTest, MergeDenoisesTheFilm) {
+TEST_F(StatisticalDenoiseTest, MergeAndDenoiseDoSoOfTheFilm) {
     scene_ = std::string(kProjectFolder) + "/scenes/cornell-box.json";
     const std::string film = folder_ / "a.film";
     ASSERT_EQ(render({"-o", picture_, "--film", film, "--spp", "64", "--size", "20x20"}).exitCode,
@@ -108,6 +108,12 @@ TEST_F(StatisticalDenoiseTest, MergeDenoisesTheFilm) {
     const ProgramResult result = run({"merge", film, "-o", merged, "--denoise", "statistical"});
     ASSERT_EQ(result.exitCode, 0) << result.errors;
     EXPECT_LT(distance(greenOf(readExrPicture(picture_)), greenOf(readExrPicture(merged))), 1e-4);
+    const std::string denoised = folder_ / "c.exr";
+    ASSERT_EQ(run({"denoise", film, "-o", denoised, "--denoise", "statistical"}).exitCode, 0);
+    EXPECT_TRUE(readText(denoised) == readText(merged));
+    expectFailure(run({"denoise", merged, "-o", denoised, "--denoise", "statistical"}), 2,
+                  "has no replicas");
+    expectFailure(run({"denoise", film, "-o", denoised, "--denoise", "off"}), 2, "nothing to do");
     ASSERT_EQ(render({"--film", film, "--spp", "16", "--overwrite", "--size", "20x20"}).exitCode,
               0);
     expectFailure(run({"merge", film, "-o", merged, "--denoise", "statistical"}), 3,
