@@ -1,6 +1,8 @@
 #include "base/names.h"
 
 #include <algorithm>
+#include <cctype>
+#include <cstring>
 #include <sstream>
 #include <vector>
 
@@ -95,6 +97,18 @@ std::string listed(std::span<const std::string> names) {
     for (const std::string& name : names)
         list += (list.empty() ? "" : ", ") + name;
     return list;
+}
+
+std::string shellWord(const std::string& text) {
+    const auto isBare = [](unsigned char c) {
+        return std::isalnum(c) || std::strchr("_-./=,:", c) != nullptr;
+    };
+    if (!text.empty() && std::ranges::all_of(text, isBare))
+        return text;
+    std::string word = "'";
+    for (const char c : text)
+        word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return word + "'";
 }
 
 std::string suggestion(std::string_view name, std::span<const std::string> known) {

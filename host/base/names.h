@@ -21,6 +21,9 @@ std::string listInQuotes(std::span<const std::string> names);
 /// Paths or names as they are, separated by commas: "a.exr, a.png".
 std::string listed(std::span<const std::string> names);
 
+/// The text as one word of a shell, in single quotes where it needs them.
+std::string shellWord(const std::string& text);
+
 /// The end of a sentence about an unknown `name`: `did you mean "radius"?`, or the list of known
 /// names if none is similar. Empty if there are no known names.
 std::string suggestion(std::string_view name, std::span<const std::string> known);

@@ -1,6 +1,7 @@
 #include "base/output_lock.h"
 
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <string>
 #include <utility>
@@ -86,16 +87,35 @@ int lockFile(const fs::path& file, const fs::path& target, const std::string& pa
     }
 }
 
+/// The files of the locks that are held, for signal handlers. A command has a few; those of more
+/// than these stay behind where a handler ends the process.
+std::array<std::atomic<const char*>, 64> heldFiles{};
+static_assert(std::atomic<const char*>::is_always_lock_free);
+
+void addHeld(const char* name) {
+    for (auto& file : heldFiles)
+        if (const char* none = nullptr; file.compare_exchange_strong(none, name))
+            return;
+}
+
+void removeHeld(const char* name) {
+    for (auto& file : heldFiles)
+        if (file == name)
+            file = nullptr;
+}
+
 } // namespace
 
 OutputLock::OutputLock(const fs::path& target, const std::string& path)
-    : file_(fileBeside(target, "lock")) {
+    : file_(std::make_unique<const std::string>(fileBeside(target, "lock").string())) {
     std::error_code ignored;
     if (fs::exists(target, ignored) && !fs::is_regular_file(target, ignored))
         return;
-    descriptor_ = lockFile(file_, target, path);
-    if (descriptor_ >= 0)
-        writeHolder(descriptor_);
+    descriptor_ = lockFile(*file_, target, path);
+    if (descriptor_ < 0)
+        return;
+    addHeld(file_->c_str());
+    writeHolder(descriptor_);
 }
 
 OutputLock::OutputLock(OutputLock&& other) noexcept
@@ -110,8 +130,15 @@ OutputLock& OutputLock::operator=(OutputLock&& other) noexcept {
 OutputLock::~OutputLock() {
     if (descriptor_ < 0)
         return;
-    ::unlink(file_.c_str()); // before the lock ends, so that nobody locks a file that is gone
+    removeHeld(file_->c_str());
+    ::unlink(file_->c_str()); // before the lock ends, so that nobody locks a file that is gone
     ::close(descriptor_);
+}
+
+void removeLockFiles() noexcept {
+    for (const auto& file : heldFiles)
+        if (const char* name = file.load())
+            ::unlink(name);
 }
 
 } // namespace calotype

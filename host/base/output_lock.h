@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 
 #include "base/error.h"
@@ -28,8 +29,12 @@ public:
     ~OutputLock();
 
 private:
-    std::filesystem::path file_;
-    int descriptor_ = -1; ///< -1: nothing is locked
+    std::unique_ptr<const std::string> file_; ///< whose text stays where it is
+    int descriptor_ = -1;                     ///< -1: nothing is locked
 };
+
+/// Removes the files of the locks that this process holds. For a signal handler that ends the
+/// process: it may be called while any other code runs.
+void removeLockFiles() noexcept;
 
 } // namespace calotype

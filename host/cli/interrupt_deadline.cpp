@@ -6,6 +6,7 @@
 #include <ctime>
 #include <unistd.h>
 
+#include "base/output_lock.h"
 #include "cli/exit_code.h"
 
 namespace calotype {
@@ -19,17 +20,22 @@ volatile std::sig_atomic_t isActive = 0;
 timer_t endTimer;
 char endMessage[256];
 size_t endMessageSize = 0;
+std::string endFolder; ///< changed only while no object lives
 
 void onTimer(int) {
     if (!isActive)
         return;
+    removeLockFiles();
+    if (!endFolder.empty())
+        rmdir(endFolder.c_str());
     [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, endMessage, endMessageSize);
     _exit(kExitOther);
 }
 
 } // namespace
 
-InterruptDeadline::InterruptDeadline(const std::string& sentence) {
+InterruptDeadline::InterruptDeadline(const std::string& sentence, const std::string& folder) {
+    endFolder = folder;
     const std::string line = "calotype: " + sentence + "\n";
     // After a progress bar, in a line of its own.
     const std::string output = isatty(STDERR_FILENO) != 0 ? "\n" + line : line;

@@ -1,7 +1,5 @@
 #include <algorithm>
-#include <cctype>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <functional>
 #include <iterator>
@@ -12,6 +10,7 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "base/names.h"
 #include "base/number_text.h"
 #include "base/output_failures.h"
 #include "base/stopwatch.h"
@@ -73,19 +72,6 @@ OutputClaims claimFiles(const std::filesystem::path& folder, const LoadedScene& 
         cleanUp(folder);
         throw;
     }
-}
-
-/// Quotes the text as one word of a shell.
-std::string shellWord(const std::string& text) {
-    const auto isPlain = [](unsigned char c) {
-        return std::isalnum(c) || std::strchr("_-./=,:", c) != nullptr;
-    };
-    if (!text.empty() && std::ranges::all_of(text, isPlain))
-        return text;
-    std::string word = "'";
-    for (const char c : text)
-        word += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return word + "'";
 }
 
 /// The command that renders the scene of the study.
@@ -201,6 +187,7 @@ int studyCommand(const StudyOptions& options) {
     progress.clear();
     const std::filesystem::path folder = makeFolder(options);
     std::optional<OutputClaims> claims = claimFiles(folder, loaded);
+    deadline.emplace(Interrupted().what(), folder.string()); // until samples may be lost
     const Scene scene = std::move(loaded);
     printWarnings(scene);
 
@@ -217,6 +204,7 @@ int studyCommand(const StudyOptions& options) {
         DeviceKeeper opened(device); // anew for each, so that none gets the kernels of another
         std::shared_ptr<RenderEngine> engine =
             makeEngine(opened, scene, {settings, false, false, onStep}, seconds);
+        deadline.reset();
         if (engine->maxRadiance() == 0.0)
             throw SceneError(options.scene.path, "the scene has no light, so no error to study");
         origin.device = engine->info().name;

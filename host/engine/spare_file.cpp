@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "base/error.h"
+#include "base/names.h"
 
 namespace calotype {
 namespace {
@@ -58,7 +59,8 @@ void SpareFile::write(const char* what, const Write& write) {
         if (spare_.empty())
             throw;
         throw OutputError(std::string(error.what()) + "; " + what + " is kept in '" +
-                          spare_.string() + "'");
+                          spare_.string() + "'; when there is room: mv " +
+                          shellWord(spare_.string()) + " " + shellWord(path_.string()));
     }
     std::error_code ignored;
     if (!spare_.empty())

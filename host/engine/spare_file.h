@@ -17,8 +17,9 @@ public:
     SpareFile(std::filesystem::path path, std::vector<std::filesystem::path> folders);
 
     /// Calls `write` with the result's own path. If that throws OutputError, calls it with a new
-    /// name in the other folders, and throws OutputError again: with the message, and where `what`,
-    /// such as "the film", is kept. Removes an earlier spare file if the result's own is written.
+    /// name in the other folders, and throws OutputError again: with the message, where `what`,
+    /// such as "the film", is kept, and the command that brings it to its place. Removes an earlier
+    /// spare file if the result's own is written.
     void write(const char* what, const Write& write);
 
 private:

@@ -35,6 +35,8 @@ protected:
         expectFailure(result, 1, "interrupted before the first sample; nothing was written");
         EXPECT_EQ(std::ranges::count(folder_.names(), "out.png"), 0);
         EXPECT_EQ(std::ranges::count(folder_.names(), "film"), 0);
+        for (const std::string& name : folder_.names())
+            EXPECT_EQ(name.find("calotype-lock"), std::string::npos) << name;
         return result.seconds - signalled.value_or(0.0);
     }
 };

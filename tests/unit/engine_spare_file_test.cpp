@@ -28,14 +28,14 @@ std::string messageOf(SpareFile& file) {
     return "";
 }
 
-/// The file that the message names at its end.
+/// The file that the message names.
 fs::path keptIn(const std::string& message) {
     const std::string before = "; the film is kept in '";
     const size_t at = message.find(before);
     if (at == std::string::npos)
         return {};
     const size_t start = at + before.size();
-    return message.substr(start, message.size() - 1 - start);
+    return message.substr(start, message.find('\'', start) - start);
 }
 
 TEST(SpareFileTest, WritesTheFileItselfWhereItCan) {
@@ -60,6 +60,9 @@ TEST(SpareFileTest, KeepsTheResultInTheFirstFolderThatTakesIt) {
     EXPECT_EQ(kept.extension(), ".film");
     EXPECT_EQ(readBytes(kept), "the film");
     EXPECT_TRUE(fs::is_empty(folder / "later"));
+    EXPECT_TRUE(message.ends_with("; when there is room: mv " + kept.string() + " " +
+                                  (folder / "full/a.film").string()))
+        << message;
     // The next time it is replaced, and removed once the result has its own place.
     EXPECT_EQ(keptIn(messageOf(file)), kept);
     fs::remove(folder / "full/a.film");
