@@ -112,6 +112,18 @@ TEST_F(TransportTest, ChoosingLightsByATreeKeepsThePicture) {
 }
 ALSO_SLOW(TransportTest, ChoosingLightsByATreeKeepsThePicture);
 
+// Without directions of the BSDF, nothing makes up for a light that the tree leaves out.
+TEST_F(TransportTest, LightsOfATreeAloneKeepThePicture) {
+    const Scene scene = projectScene("tests/image/scenes/lanterns.json");
+    TransportSettings uniform;
+    uniform.lightChoice = LightChoice::Uniform;
+    TransportSettings byTree;
+    byTree.lightChoice = LightChoice::Tree;
+    byTree.usesMis = false;
+    expectSamePicture(means(scene, uniform, 17), means(scene, byTree, 18));
+}
+ALSO_SLOW(TransportTest, LightsOfATreeAloneKeepThePicture);
+
 // The reference tracer can sample all lights at each event; the expected picture is the same.
 TEST_F(TransportTest, AskingAllLightsKeepsThePicture) {
     constexpr uint32_t kSmall = 16;
