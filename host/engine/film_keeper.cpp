@@ -80,7 +80,8 @@ Film FilmKeeper::begin(const RenderSettings& settings, double maxRadiance,
         requireSameOrigin(continuedPath_, *continued_, label_, settings.crop.width,
                           settings.crop.height, unit, detailFor(continued_->film));
     Film film = continued_ ? std::move(continued_->film)
-                           : Film(settings.crop.width, settings.crop.height, unit, detail_);
+                           : Film(settings.crop.width, settings.crop.height, unit, detail_,
+                                  settings.transport.hidesBackground);
     continued_.reset();
     device_ = nameWithDriver(device);
     blocksBefore_ = film.blocks().count();

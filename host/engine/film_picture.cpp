@@ -47,6 +47,7 @@ Picture pictureOf(const KeptFilm& kept, const LayerList& layers,
                   const std::optional<CleanPicture>& clean) {
     Picture picture = develop(clean ? clean->color : kept.film.picture(), layers,
                               [&](const Layer& layer) { return channelsOf(layer, kept.film); });
+    picture.setAlpha(kept.film.alpha());
     describe(picture, kept.label, kept.film.samplesPerPixel());
     if (clean)
         describeClean(*clean, kept.film.picture(), picture);

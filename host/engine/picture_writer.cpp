@@ -45,6 +45,7 @@ Picture PictureWriter::pictureOf(Session& session, const std::optional<CleanPict
     };
     Picture picture =
         develop(clean ? clean->color : session.picture(), options_.layers, makeChannels);
+    picture.setAlpha(session.alpha());
     describe(picture, label_, session.totals().samplesPerPixel);
     if (clean)
         describeClean(*clean, session.picture(), picture);

@@ -17,7 +17,7 @@ struct RenderJob {
     bool limitsSamples = true;
     FilmOptions film;
     OutputOptions output;
-    bool returnsPixels = true; ///< false: RenderResult::pixels stays empty
+    bool returnsPixels = true; ///< false: RenderResult's pixels and alpha stay empty
     /// The start time for `settings.seconds` and the time of the first sample; none: the call.
     std::optional<std::chrono::steady_clock::time_point> start = {};
     double loadSeconds = 0.0; ///< time that reading the scene took, for the statistics

@@ -46,6 +46,9 @@ struct RenderResult {
     /// 3 * width * height floats: row by row from the top left, red, green and blue of each pixel:
     /// linear radiance with Rec. 709 primaries, W/(m^2 sr). Finite; black if there is no sample.
     std::vector<float> pixels;
+    /// With TransportSettings::hidesBackground, the alpha of each pixel, in [0, 1], by which its
+    /// colour in `pixels` is multiplied already; else empty.
+    std::vector<float> alpha;
     RenderEnding ending = RenderEnding::AllSamples;
     RenderPlan plan;
     /// Samples, rays, seconds and the error, which has no value if the samples are too few (below

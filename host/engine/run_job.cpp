@@ -322,8 +322,10 @@ private:
         if (!job_.returnsPixels && wanted.exposureStops)
             return wanted;
         const Image picture = clean_ ? clean_->color : session.picture();
-        if (job_.returnsPixels)
+        if (job_.returnsPixels) {
             result_.pixels = floatsOf(picture);
+            result_.alpha = session.alpha();
+        }
         const DisplayTransform display = withExposureOf(picture, wanted);
         if (!wanted.exposureStops)
             result_.exposureStops = display.exposureStops;

@@ -49,6 +49,7 @@ RenderSettings defaultSettings(const Scene& scene) {
     settings.maxBounces = scene.render.maxBounces;
     settings.seed = scene.render.seed;
     settings.denoiser = scene.render.denoiser;
+    settings.transport.hidesBackground = scene.render.hidesBackground;
     settings.transport.lightChoice = defaultLightChoice(scene);
     return settings;
 }

@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "base/check.h"
+#include "film/block_count.h"
 
 namespace calotype {
 namespace {
@@ -15,11 +16,12 @@ constexpr uint32_t kFirstSurveyBlocks = AdaptiveFilm::kReplicasPerHalf;
 
 } // namespace
 
-AdaptiveFilm::AdaptiveFilm(uint32_t width, uint32_t height, double unit)
+AdaptiveFilm::AdaptiveFilm(uint32_t width, uint32_t height, double unit, bool hasAlpha)
     : width_(width), height_(height), unit_(unit), luminances_(size_t{width} * height * kReplicas) {
     CALOTYPE_CHECK_EQ(unit, filmUnit(unit));
     for (Half& half : halves_) {
         half.colors = FixedPointArray(Film::kChannels * width * height);
+        half.hiddenSamples = FixedPointArray(hasAlpha ? size_t{width} * height : 0);
         half.blocks.resize(size_t{width} * height);
     }
     CALOTYPE_CHECK_LT(0u, pixelCount());
@@ -38,7 +40,7 @@ void AdaptiveFilm::addBlock(uint32_t block, std::span<const glm::vec4> blockSums
         if (isLeftOut[i] != 0)
             continue;
         CALOTYPE_CHECK_EQ(blocks[i], block / kHalves);
-        CALOTYPE_CHECK_EQ(blockSums[i].w, float{kSamplesPerBlock});
+        CALOTYPE_CHECK_EQ(blockCountOf(blockSums[i].w).samples, kSamplesPerBlock);
         samples_ += kSamplesPerBlock;
         if (++blocks[i] >= kFirstSurveyBlocks && std::has_single_bit(blocks[i]))
             recordSurvey(halfIndex, i);
@@ -48,16 +50,22 @@ void AdaptiveFilm::addBlock(uint32_t block, std::span<const glm::vec4> blockSums
 void AdaptiveFilm::addTerms(uint32_t block, std::span<const glm::vec4> blockSums,
                             std::span<const uint8_t> isLeftOut) {
     const size_t firstLuminance = block % kReplicas * pixelCount();
+    FixedPointArray& hiddenSamples = halves_[block % kHalves].hiddenSamples;
     FilmTerms terms;
+    std::vector<FixedPoint> hidden;
     for (size_t first = 0; first < pixelCount(); first += FilmTerms::kMostPixels) {
         const size_t end = std::min(first + FilmTerms::kMostPixels, pixelCount());
         terms.clear();
+        hidden.clear();
         for (size_t i = first; i < end; ++i) {
             FilmTerm term;
             if (isLeftOut[i] == 0)
                 term = toFilmTerm(blockSums[i], unit_, losses_).value_or(FilmTerm{});
             terms.add(term);
+            hidden.push_back(isLeftOut[i] == 0 ? blockCountOf(blockSums[i].w).hidden : 0);
         }
+        if (hiddenSamples.size() > 0)
+            hiddenSamples.add(first, hidden);
         halves_[block % kHalves].colors.add(Film::kChannels * first, terms.colors());
         luminances_.add(firstLuminance + first, terms.luminances());
     }
@@ -121,7 +129,7 @@ Image AdaptiveFilm::picture(uint32_t half, std::span<const glm::vec4> partialBlo
             double samples = double{kSamplesPerBlock} * halves_[h].blocks[i];
             if (h == half && !partialBlock.empty() && isLeftOut[i] == 0) {
                 FilmLosses ignored;
-                samples += partialBlock[i].w;
+                samples += blockCountOf(partialBlock[i].w).samples;
                 if (toFilmTerm(partialBlock[i], unit_, ignored))
                     sum += glm::dvec3(partialBlock[i]);
             }
@@ -133,6 +141,30 @@ Image AdaptiveFilm::picture(uint32_t half, std::span<const glm::vec4> partialBlo
         image.pixels[i] = count > 0.0 ? glm::vec3(means / count) : glm::vec3(0.0f);
     }
     return image;
+}
+
+std::vector<float> AdaptiveFilm::alpha(uint32_t half, std::span<const glm::vec4> partialBlock,
+                                       std::span<const uint8_t> isLeftOut) const {
+    const bool hasAlpha = halves_[0].hiddenSamples.size() > 0;
+    std::vector<float> alpha(hasAlpha ? pixelCount() : 0);
+    for (size_t i = 0; i < alpha.size(); ++i) {
+        double shares = 0.0;
+        double count = 0.0; // halves that have samples
+        for (uint32_t h = 0; h < kHalves; ++h) {
+            BlockCount partial;
+            if (h == half && !partialBlock.empty() && isLeftOut[i] == 0)
+                partial = blockCountOf(partialBlock[i].w);
+            const double samples =
+                double{kSamplesPerBlock} * halves_[h].blocks[i] + partial.samples;
+            const double hidden = static_cast<double>(halves_[h].hiddenSamples[i]) + partial.hidden;
+            if (samples > 0.0) {
+                shares += 1.0 - hidden / samples;
+                count += 1.0;
+            }
+        }
+        alpha[i] = count > 0.0 ? static_cast<float>(shares / count) : 0.0f;
+    }
+    return alpha;
 }
 
 } // namespace calotype

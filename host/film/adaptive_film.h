@@ -32,7 +32,8 @@ public:
     static constexpr uint32_t kReplicasPerHalf = shared::kReplicas / kHalves;
 
     /// Black, of width * height > 0 pixels; `unit` is a power of two, as filmUnit gives it.
-    AdaptiveFilm(uint32_t width, uint32_t height, double unit);
+    /// `hasAlpha`: the background is hidden from the camera.
+    AdaptiveFilm(uint32_t width, uint32_t height, double unit, bool hasAlpha = false);
 
     /// Adds a block to all pixels that are not left out (a byte for each pixel, 0 or 1). It must be
     /// their next block of its half. Sums and losses are as for Film::addBlock.
@@ -43,6 +44,11 @@ public:
     /// number of samples in each pixel that is not left out: it shows in the picture only.
     Image picture(uint32_t half = 0, std::span<const glm::vec4> partialBlock = {},
                   std::span<const uint8_t> isLeftOut = {}) const;
+
+    /// Likewise the share of each pixel's samples that show a surface, as the mean of both halves;
+    /// empty if the film has no alpha.
+    std::vector<float> alpha(uint32_t half = 0, std::span<const glm::vec4> partialBlock = {},
+                             std::span<const uint8_t> isLeftOut = {}) const;
 
     uint32_t width() const { return width_; }
     uint32_t height() const { return height_; }
@@ -70,7 +76,8 @@ public:
 
 private:
     struct Half {
-        FixedPointArray colors; ///< R, G and B of the first pixel, of the second, ...
+        FixedPointArray colors;        ///< R, G and B of the first pixel, of the second, ...
+        FixedPointArray hiddenSamples; ///< as Film::Sums::hiddenSamples
         std::vector<uint32_t> blocks;
         std::vector<std::vector<SurveyPixel>> surveys; ///< by level; empty: not begun
     };

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "film/tone_map.h"
 #include "image/image.h"
@@ -23,6 +26,12 @@ DisplayTransform withExposureOf(const Image& image, DisplayTransform transform);
 
 /// Exposes, tone maps, encodes as sRGB and rounds to the nearest of 256 levels. Channels that are
 /// negative or not finite become 0 first.
-Rgb8Image toDisplay(const Image& image, const DisplayTransform& transform);
+/// `alpha`, if it is not empty, has the pixels' alpha, by which their colours are divided first; a
+/// pixel of alpha 0 is black.
+Rgb8Image toDisplay(const Image& image, const DisplayTransform& transform,
+                    std::span<const float> alpha = {});
+
+/// Rounds alpha to the nearest of 256 levels; what is not in [0, 1] is clamped, NaN is 0.
+std::vector<uint8_t> alphaLevels(std::span<const float> alpha);
 
 } // namespace calotype

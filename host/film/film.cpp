@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/check.h"
+#include "film/block_count.h"
 #include "math/luminance.h"
 
 namespace calotype {
@@ -26,6 +27,11 @@ bool isInRange(const glm::vec4& sum, double unit) {
     return isInRange(std::max({std::abs(sum.r), std::abs(sum.g), std::abs(sum.b)}), unit);
 }
 
+float shareOf(uint64_t part, uint64_t all) {
+    return all == 0 ? 0.0f
+                    : static_cast<float>(static_cast<double>(part) / static_cast<double>(all));
+}
+
 } // namespace
 
 double filmUnit(double maxRadiance) {
@@ -46,13 +52,14 @@ FilmLosses& FilmLosses::operator+=(const FilmLosses& other) {
     return *this;
 }
 
-Film::Film(uint32_t width, uint32_t height, double unit, ReplicaDetail detail)
+Film::Film(uint32_t width, uint32_t height, double unit, ReplicaDetail detail, bool hasAlpha)
     : Film(width, height, unit,
            {.blocks = {},
             .colors = FixedPointArray(kChannels * width * height),
             .luminances = FixedPointArray(size_t{kReplicas} * width * height),
             .replicaColors = FixedPointArray(
                 detail == ReplicaDetail::Color ? kChannels * kReplicas * width * height : 0),
+            .hiddenSamples = FixedPointArray(hasAlpha ? size_t{width} * height : 0),
             .losses = {}}) {}
 
 Film::Film(uint32_t width, uint32_t height, double unit, Sums sums)
@@ -62,6 +69,8 @@ Film::Film(uint32_t width, uint32_t height, double unit, Sums sums)
     CALOTYPE_CHECK_EQ(sums_.luminances.size(), kReplicas * pixelCount());
     if (detail() == ReplicaDetail::Color)
         CALOTYPE_CHECK_EQ(sums_.replicaColors.size(), kChannels * kReplicas * pixelCount());
+    if (hasAlpha())
+        CALOTYPE_CHECK_EQ(sums_.hiddenSamples.size(), pixelCount());
     CALOTYPE_CHECK_EQ(unit, filmUnit(unit));
 }
 
@@ -73,13 +82,20 @@ void Film::addBlock(uint32_t block, std::span<const glm::vec4> blockSums,
     sums_.losses += losses;
     const size_t firstOfReplica = block % kReplicas * pixelCount();
     FilmTerms terms;
+    std::vector<FixedPoint> hidden;
     for (size_t first = 0; first < pixelCount(); first += FilmTerms::kMostPixels) {
         const size_t count = std::min(FilmTerms::kMostPixels, pixelCount() - first);
         terms.clear();
+        hidden.clear();
         for (const glm::vec4& sum : blockSums.subspan(first, count)) {
-            CALOTYPE_CHECK_EQ(sum.w, float{kSamplesPerBlock});
+            const BlockCount taken = blockCountOf(sum.w);
+            CALOTYPE_CHECK_EQ(taken.samples, kSamplesPerBlock);
+            CALOTYPE_CHECK_LE(taken.hidden, hasAlpha() ? kSamplesPerBlock : 0);
+            hidden.push_back(taken.hidden);
             terms.add(toFilmTerm(sum, unit_, sums_.losses).value_or(FilmTerm{}));
         }
+        if (hasAlpha())
+            sums_.hiddenSamples.add(first, hidden);
         const std::span<const FixedPoint> colors = terms.colors();
         sums_.colors.add(kChannels * first, colors);
         sums_.luminances.add(firstOfReplica + first, terms.luminances());
@@ -93,11 +109,13 @@ void Film::add(const Film& other) {
     CALOTYPE_CHECK_EQ(height_, other.height_);
     CALOTYPE_CHECK_EQ(unit_, other.unit_);
     CALOTYPE_CHECK_EQ(detail() == other.detail(), true);
+    CALOTYPE_CHECK_EQ(hasAlpha(), other.hasAlpha());
     sums_.blocks.add(other.sums_.blocks);
     CALOTYPE_CHECK_LE(sums_.blocks.count(), kMaxBlocks);
     sums_.colors.add(other.sums_.colors);
     sums_.luminances.add(other.sums_.luminances);
     sums_.replicaColors.add(other.sums_.replicaColors);
+    sums_.hiddenSamples.add(other.sums_.hiddenSamples);
     sums_.losses += other.sums_.losses;
 }
 
@@ -112,13 +130,25 @@ Image Film::picture(std::span<const glm::vec4> partialBlock) const {
         if (!partialBlock.empty()) {
             const glm::vec4& partial = partialBlock[i];
             CALOTYPE_CHECK_LE(0.0f, partial.w);
-            samples += partial.w;
+            samples += blockCountOf(partial.w).samples;
             if (isFinite(partial) && isInRange(partial, unit_))
                 sum += glm::dvec3(partial);
         }
         image.pixels[i] = samples > 0.0 ? glm::vec3(sum / samples) : glm::vec3(0.0f);
     }
     return image;
+}
+
+std::vector<float> Film::alpha(std::span<const glm::vec4> partialBlock) const {
+    std::vector<float> alpha(hasAlpha() ? pixelCount() : 0);
+    for (size_t i = 0; i < alpha.size(); ++i) {
+        const BlockCount partial =
+            partialBlock.empty() ? BlockCount{} : blockCountOf(partialBlock[i].w);
+        const uint64_t samples = samplesPerPixel() + partial.samples;
+        const auto hidden = static_cast<uint64_t>(sums_.hiddenSamples[i]) + partial.hidden;
+        alpha[i] = shareOf(samples - hidden, samples);
+    }
+    return alpha;
 }
 
 Image Film::replicaPicture(uint32_t replica) const {

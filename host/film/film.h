@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -50,31 +51,39 @@ public:
         FixedPointArray luminances; ///< those of all pixels for replica 0, 1, ...
         /// R, G and B of all pixels for replica 0, 1, ...; empty with ReplicaDetail::Luminance.
         FixedPointArray replicaColors;
+        /// The number of samples of each pixel that show the background where it is hidden from the
+        /// camera; empty where it is not.
+        FixedPointArray hiddenSamples;
         FilmLosses losses;
 
         bool operator==(const Sums&) const = default;
     };
 
     /// A black film of width * height > 0 pixels; `unit` is a power of two, as filmUnit gives it.
+    /// `hasAlpha`: the background is hidden from the camera.
     Film(uint32_t width, uint32_t height, double unit,
-         ReplicaDetail detail = ReplicaDetail::Luminance);
+         ReplicaDetail detail = ReplicaDetail::Luminance, bool hasAlpha = false);
 
     /// A film that was written before; the sums must have its size.
     Film(uint32_t width, uint32_t height, double unit, Sums sums);
 
     /// Adds a whole block that it does not hold yet: per pixel, row by row, the sum of r, g, b over
-    /// shared::kSamplesPerBlock samples, and that number in w. A pixel whose sum is not finite, or
-    /// is 2^40 units or more, adds nothing, but its samples count; it is added to the losses, and
-    /// so are the `losses` of the block's samples.
+    /// shared::kSamplesPerBlock samples, and that number in w (film/block_count.h). A pixel whose
+    /// sum is not finite, or is 2^40 units or more, adds nothing, but its samples count; it is
+    /// added to the losses, and so are the `losses` of the block's samples.
     void addBlock(uint32_t block, std::span<const glm::vec4> blockSums,
                   const FilmLosses& losses = {});
 
-    /// Adds a film of the same size, unit and detail that holds none of the same blocks.
+    /// Adds a film of the same size, unit, detail and alpha that holds none of the same blocks.
     void add(const Film& other);
 
     /// Mean radiance per pixel; black if there is no sample. `partialBlock`, if not empty, is like
     /// a block, but with any number of samples in each pixel: it is in the picture only.
     Image picture(std::span<const glm::vec4> partialBlock = {}) const;
+
+    /// Likewise the share of each pixel's samples that show a surface; 0 if there is no sample.
+    /// Empty if the film has no alpha.
+    std::vector<float> alpha(std::span<const glm::vec4> partialBlock = {}) const;
 
     /// Likewise of one replica, over whole blocks. Needs ReplicaDetail::Color.
     Image replicaPicture(uint32_t replica) const;
@@ -86,6 +95,7 @@ public:
     ReplicaDetail detail() const {
         return sums_.replicaColors.size() > 0 ? ReplicaDetail::Color : ReplicaDetail::Luminance;
     }
+    bool hasAlpha() const { return sums_.hiddenSamples.size() > 0; }
     const Sums& sums() const { return sums_; }
     const BlockRanges& blocks() const { return sums_.blocks; }
     const FilmLosses& losses() const { return sums_.losses; }

@@ -39,6 +39,10 @@
 //         bytes, ...; compressed by zlib
 //         in version 2, if the description has their "feature_bytes": the features of denoisers
 //         (film/feature_chunks.h)
+//
+// Version 3 is for films whose background is hidden from the camera: the colours of replicas are
+// there if the description has "replica_colors" true, and before the features are the numbers of
+// hidden samples of all pixels.
 namespace calotype {
 namespace {
 
@@ -47,6 +51,8 @@ using Json = nlohmann::json;
 constexpr std::string_view kMagic = "CALOFILM";
 constexpr uint32_t kVersion = 1;
 constexpr uint32_t kVersionWithColors = 2; ///< of replicas
+constexpr uint32_t kVersionWithAlpha = 3;
+constexpr const char* kAlphaSetting = "transparent"; ///< in labels
 constexpr size_t kDescriptionAt = 24;
 constexpr size_t kChunkNumbers = 65536;
 constexpr size_t kNumberBytes = sizeof(FixedPoint);
@@ -77,11 +83,11 @@ struct FileChunk {
 };
 
 /// All chunks, in the order of the file. No two of them share a chunk of an array.
-template <typename Array>
-std::vector<FileChunk<Array>> chunksOf(Array& colors, Array& luminances, Array& replicaColors) {
+template <typename Array, typename Sums>
+std::vector<FileChunk<Array>> chunksOf(Sums& sums) {
     static_assert(kChunkNumbers % FixedPointArray::kChunkNumbers == 0);
     std::vector<FileChunk<Array>> chunks;
-    for (Array* array : {&colors, &luminances, &replicaColors})
+    for (Array* array : {&sums.colors, &sums.luminances, &sums.replicaColors, &sums.hiddenSamples})
         for (size_t first = 0; first < array->size(); first += kChunkNumbers)
             chunks.push_back({array, first, std::min(kChunkNumbers, array->size() - first)});
     return chunks;
@@ -133,6 +139,8 @@ bool decompress(std::string_view compressed, const FileChunk<FixedPointArray>& c
 }
 
 uint32_t versionOf(const Film& film) {
+    if (film.hasAlpha())
+        return kVersionWithAlpha;
     return film.detail() == ReplicaDetail::Color ? kVersionWithColors : kVersion;
 }
 
@@ -161,6 +169,8 @@ Json describe(const FilmLabel& label, const Film& film, const std::vector<std::s
                         {"non_finite_pixels", losses.nonFinitePixels},
                         {"overflowed_pixels", losses.overflowedPixels},
                         {"chunk_bytes", sizesOf(chunks)}};
+    if (film.hasAlpha())
+        description["replica_colors"] = film.detail() == ReplicaDetail::Color;
     if (!label.camera.empty())
         description["camera"] = label.camera;
     if (!featureChunks.empty())
@@ -205,6 +215,15 @@ std::vector<std::string_view> nextChunks(const Json& sizes, std::string_view& re
     return chunks;
 }
 
+/// Whether each is a number of samples that films of these blocks can have.
+bool areCounts(const FixedPointArray& numbers, const BlockRanges& blocks) {
+    const auto most = static_cast<FixedPoint>(blocks.count()) * shared::kSamplesPerBlock;
+    for (size_t i = 0; i < numbers.size(); ++i)
+        if (numbers[i] < 0 || numbers[i] > most)
+            return false;
+    return true;
+}
+
 /// Throws if the description and the chunks do not fit each other.
 KeptFilm readParts(const Json& description, std::string_view compressed, uint32_t version) {
     const auto width = numberIn<uint32_t>(description.at("width"), 1, kLargestPictureSide);
@@ -217,13 +236,19 @@ KeptFilm readParts(const Json& description, std::string_view compressed, uint32_
     const size_t pixels = size_t{width} * height;
     const size_t ofColors = pixels * Film::kChannels;
     const size_t ofLuminances = pixels * shared::kReplicas;
-    const size_t ofReplicaColors = version == kVersionWithColors ? ofColors * shared::kReplicas : 0;
+    const bool hasAlpha = version == kVersionWithAlpha;
+    const bool hasReplicaColors =
+        hasAlpha ? description.at("replica_colors").get<bool>() : version == kVersionWithColors;
+    const size_t ofReplicaColors = hasReplicaColors ? ofColors * shared::kReplicas : 0;
+    const size_t ofHiddenSamples = hasAlpha ? pixels : 0;
     const auto chunksFor = [](size_t n) { return (n + kChunkNumbers - 1) / kChunkNumbers; };
-    if (chunks.size() != chunksFor(ofColors) + chunksFor(ofLuminances) + chunksFor(ofReplicaColors))
+    if (chunks.size() != chunksFor(ofColors) + chunksFor(ofLuminances) +
+                             chunksFor(ofReplicaColors) + chunksFor(ofHiddenSamples))
         throw std::out_of_range("chunks");
     // zlib expands a byte to at most 1032. A larger claim is refused before memory is allocated.
     constexpr size_t kMostPerByte = 1032;
-    if ((ofColors + ofLuminances + ofReplicaColors) * kNumberBytes > kMostPerByte * given ||
+    if ((ofColors + ofLuminances + ofReplicaColors + ofHiddenSamples) * kNumberBytes >
+            kMostPerByte * given ||
         !compressed.empty())
         throw std::out_of_range("chunks");
     Film::Sums sums;
@@ -236,14 +261,15 @@ KeptFilm readParts(const Json& description, std::string_view compressed, uint32_
     sums.colors = FixedPointArray(ofColors);
     sums.luminances = FixedPointArray(ofLuminances);
     sums.replicaColors = FixedPointArray(ofReplicaColors);
-    const auto targets = chunksOf(sums.colors, sums.luminances, sums.replicaColors);
+    sums.hiddenSamples = FixedPointArray(ofHiddenSamples);
+    const auto targets = chunksOf<FixedPointArray>(sums);
     std::atomic<bool> isWhole = true;
     parallelFor(0, targets.size(), allCores(), [&](uint64_t i, uint32_t) {
         if (!decompress(chunks[i], targets[i]))
             isWhole = false;
     });
     const auto exponent = numberIn<int>(description.at("unit_exponent"), -126, 127);
-    if (!isWhole)
+    if (!isWhole || !areCounts(sums.hiddenSamples, sums.blocks))
         throw std::out_of_range("sums");
     FilmLabel label;
     label.sceneHash = std::stoull(description.at("scene_hash").get<std::string>(), nullptr, 16);
@@ -251,8 +277,10 @@ KeptFilm readParts(const Json& description, std::string_view compressed, uint32_
     label.devices = description.at("devices");
     if (description.contains("camera")) // films of earlier programs lack it
         label.camera = description.at("camera");
+    if (hasAlpha != (label.setting(kAlphaSetting) == "on"))
+        throw std::out_of_range(kAlphaSetting);
     KeptFilm kept{label, Film(width, height, std::ldexp(1.0, exponent), std::move(sums))};
-    if (!featureChunks.empty() && version == kVersionWithColors)
+    if (!featureChunks.empty() && hasReplicaColors)
         kept.features = featuresFrom(featureChunks, width, height);
     return kept;
 }
@@ -268,7 +296,7 @@ void writeFilm(const std::filesystem::path& path, const FilmLabel& label, const 
                const std::optional<DenoiserFeatures>& features) {
     CALOTYPE_CHECK_EQ(!features || film.detail() == ReplicaDetail::Color, true);
     const Film::Sums& sums = film.sums();
-    const auto chunks = chunksOf(sums.colors, sums.luminances, sums.replicaColors);
+    const auto chunks = chunksOf<const FixedPointArray>(sums);
     std::vector<std::string> compressed(chunks.size());
     std::vector<Scratch> scratch(allCores());
     parallelFor(0, chunks.size(), allCores(), [&](uint64_t i, uint32_t thread) {
@@ -299,10 +327,10 @@ KeptFilm readFilm(const std::filesystem::path& path) {
                                    "; films are written by calotype render --film");
     }
     const uint32_t version = littleEndian32(all, kMagic.size());
-    if (version != kVersion && version != kVersionWithColors)
+    if (version < kVersion || version > kVersionWithAlpha)
         throw SceneError(name, "the film is of format " + std::to_string(version) +
                                    ", and this Calotype reads formats " + std::to_string(kVersion) +
-                                   " and " + std::to_string(kVersionWithColors));
+                                   " to " + std::to_string(kVersionWithAlpha));
     const std::string_view contents = all.substr(kDescriptionAt);
     const uint32_t descriptionBytes = littleEndian32(all, 12);
     if (checksumOf({&contents, 1}) != littleEndian64(all, 16) || descriptionBytes > contents.size())

@@ -34,8 +34,9 @@ struct KeptFilm {
 };
 
 /// Writes a film to a file, atomically. The same samples by the same devices give the same bytes,
-/// in whatever order they were added. A film with the colours of replicas has version 2 of the
-/// format, any other version 1. Throws OutputError.
+/// in whatever order they were added. A film with alpha has version 3 of the format, else one with
+/// the colours of replicas version 2, any other version 1. The label of a film with alpha must have
+/// the setting "transparent" on, and no other. Throws OutputError.
 void writeFilm(const std::filesystem::path& path, const FilmLabel& label, const Film& film,
                const std::optional<DenoiserFeatures>& features = {});
 

@@ -44,7 +44,8 @@ void writePicture(const std::filesystem::path& path, const Picture& picture,
                           std::string(kImageExtensions));
     switch (*format) {
     case ImageFormat::Png:
-        return writePng(path, toDisplay(picture.color, transform), textsOf(picture));
+        return writePng(path, toDisplay(picture.color, transform, picture.alpha()),
+                        textsOf(picture), alphaLevels(picture.alpha()));
     case ImageFormat::Exr:
         return writeExr(path, picture);
     case ImageFormat::Pfm:

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -34,12 +35,21 @@ struct CropPlacement {
     uint32_t filmHeight = 0;
 };
 
+/// The channel of a picture's alpha, in [0, 1]. The colour is multiplied by it already, as EXR
+/// files have it. A picture without it is opaque.
+inline constexpr std::string_view kAlphaChannel = "A";
+
 /// The contents of a picture file.
 struct Picture {
     Image color;
     std::vector<Channel> channels = {}; ///< without the colour; each has the colour's size
     std::vector<Attribute> metadata = {};
     std::optional<CropPlacement> crop = {}; ///< none: the picture is not cropped
+
+    /// Of each pixel; empty for an opaque picture.
+    std::span<const float> alpha() const;
+    /// Nothing happens if `values` is empty.
+    void setAlpha(std::vector<float> values);
 };
 
 } // namespace calotype

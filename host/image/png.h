@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -9,12 +10,14 @@
 
 namespace calotype {
 
-/// The bytes of an 8-bit RGB PNG, which says that it is sRGB, with these texts. Throws OutputError
-/// if the picture is too large for the format.
-std::string encodePng(const Rgb8Image& image, std::span<const PngText> texts = {});
+/// The bytes of an 8-bit PNG, which says that it is sRGB, with these texts: RGBA if `alpha` has a
+/// value for each pixel, and RGB if it is empty. The colours are not multiplied by alpha. Throws
+/// OutputError if the picture is too large for the format.
+std::string encodePng(const Rgb8Image& image, std::span<const PngText> texts = {},
+                      std::span<const uint8_t> alpha = {});
 
 /// Writes such a PNG, atomically. Throws OutputError.
 void writePng(const std::filesystem::path& path, const Rgb8Image& image,
-              std::span<const PngText> texts = {});
+              std::span<const PngText> texts = {}, std::span<const uint8_t> alpha = {});
 
 } // namespace calotype

@@ -41,7 +41,8 @@ private:
     bool extend() {
         const std::optional<Hit> hit = setup_.geometry.closest(ray_);
         if (!hit) {
-            if (const Light* light = setup_.lights.infinite())
+            const bool isHidden = events_ == 0 && setup_.transport.hidesBackground;
+            if (const Light* light = setup_.lights.infinite(); light && !isHidden)
                 features_.meanAlbedo = glm::vec3(throughput_ * shown(*light, {}));
             return false;
         }

@@ -62,7 +62,9 @@ private:
         ++result_.rays;
         const std::optional<Hit> hit = setup_.geometry.closest(ray_);
         if (!hit) {
-            addInfinite();
+            result_.showsNothing = bounce_ == 0 && setup_.transport.hidesBackground;
+            if (!result_.showsNothing)
+                addInfinite();
             return false;
         }
         const Surface surface = setup_.geometry.surface(*hit, ray_);

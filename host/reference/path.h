@@ -32,7 +32,8 @@ struct PathSetup {
 struct PathSample {
     glm::dvec3 radiance{0.0}; ///< W/(m^2 sr)
     uint32_t rays = 0;
-    bool isFinite = true; ///< of the radiance, and of the path's throughput at its end
+    bool showsNothing = false; ///< the background, which is hidden from the camera
+    bool isFinite = true;      ///< of the radiance, and of the path's throughput at its end
 };
 
 /// Follows a light path from the camera, event by event. May be called from several threads.

@@ -40,7 +40,8 @@ uint32_t surveyLevel(uint32_t blocks) {
 AdaptiveSession::AdaptiveSession(BlockTracer& tracer, const RenderSettings& settings,
                                  double maxRadiance)
     : tracer_(tracer), settings_(settings),
-      film_(settings.crop.width, settings.crop.height, filmUnit(maxRadiance)),
+      film_(settings.crop.width, settings.crop.height, filmUnit(maxRadiance),
+            settings.transport.hidesBackground),
       passes_(tracer, totals_) {}
 
 RenderEnding AdaptiveSession::run(const RenderObserver& observer, uint32_t /*passSamples*/,
@@ -155,6 +156,11 @@ uint64_t AdaptiveSession::samplesInTheEnd() const {
 Image AdaptiveSession::picture() {
     return blockIsInFilm_ ? film_.picture()
                           : film_.picture(blockHalf_, tracer_.readBlock(), isLeftOut_);
+}
+
+std::vector<float> AdaptiveSession::alpha() {
+    return blockIsInFilm_ ? film_.alpha()
+                          : film_.alpha(blockHalf_, tracer_.readBlock(), isLeftOut_);
 }
 
 } // namespace calotype

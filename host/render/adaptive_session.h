@@ -31,6 +31,7 @@ public:
     RenderEnding run(const RenderObserver& observer, uint32_t passSamples = 0,
                      const RenderGoal& goal = {}) override;
     Image picture() override;
+    std::vector<float> alpha() override;
     uint64_t samplesInTheEnd() const override;
     const RenderTotals& totals() const override { return totals_; }
     const std::optional<ErrorEstimate>& error() override;

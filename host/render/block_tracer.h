@@ -35,7 +35,7 @@ public:
     virtual shared::RenderCounters renderTiles(TileRange tiles, uint32_t sampleEnd) = 0;
 
     /// The block so far: per pixel, row by row from the top left, the sum of r, g, b, and in w the
-    /// number of samples. Valid until the next call.
+    /// number of samples (film/block_count.h). Valid until the next call.
     virtual std::span<const glm::vec4> readBlock() = 0;
 };
 

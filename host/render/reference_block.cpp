@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/parallel_for.h"
+#include "film/block_count.h"
 #include "render/tiles.h"
 
 namespace calotype {
@@ -70,6 +71,7 @@ void ReferenceBlock::renderPixel(glm::uvec2 position, uint32_t sampleEnd,
             tracer_.trace({position + glm::uvec2(crop.x, crop.y), firstSample_ + pixel.sampleCount,
                            settings_.seed, settings_.sampler});
         pixel.sum += sample.isFinite ? sample.radiance : glm::dvec3(0.0);
+        pixel.hiddenCount += sample.showsNothing ? 1 : 0;
         counters.rays += sample.rays;
         ++counters.paths;
         counters.nonFiniteSamples += sample.isFinite ? 0 : 1;
@@ -79,7 +81,7 @@ void ReferenceBlock::renderPixel(glm::uvec2 position, uint32_t sampleEnd,
 std::span<const glm::vec4> ReferenceBlock::readBlock() {
     block_.resize(pixels_.size());
     std::ranges::transform(pixels_, block_.begin(), [](const Pixel& pixel) {
-        return glm::vec4(pixel.sum, static_cast<float>(pixel.sampleCount));
+        return glm::vec4(pixel.sum, blockCount({pixel.sampleCount, pixel.hiddenCount}));
     });
     return block_;
 }

@@ -28,6 +28,7 @@ private:
     struct Pixel {
         glm::dvec3 sum{0.0};
         uint32_t sampleCount = 0;
+        uint32_t hiddenCount = 0; ///< of these, samples that show nothing
     };
 
     /// Renders a pixel until it has `sampleEnd` samples, or until `deadline`; at least one sample

@@ -35,7 +35,8 @@ RenderSession::RenderSession(BlockTracer& tracer, const RenderSettings& settings
 RenderSession::RenderSession(BlockTracer& tracer, const RenderSettings& settings,
                              double maxRadiance)
     : RenderSession(tracer, settings,
-                    Film(settings.crop.width, settings.crop.height, filmUnit(maxRadiance))) {}
+                    Film(settings.crop.width, settings.crop.height, filmUnit(maxRadiance),
+                         ReplicaDetail::Luminance, settings.transport.hidesBackground)) {}
 
 RenderEnding RenderSession::run(const RenderObserver& observer, uint32_t passSamples,
                                 const RenderGoal& goal) {
@@ -122,6 +123,10 @@ bool RenderSession::isGoodEnough(const RenderGoal& goal) {
 
 Image RenderSession::picture() {
     return blockIsInFilm_ ? film_.picture() : film_.picture(tracer_.readBlock());
+}
+
+std::vector<float> RenderSession::alpha() {
+    return blockIsInFilm_ ? film_.alpha() : film_.alpha(tracer_.readBlock());
 }
 
 } // namespace calotype

@@ -55,6 +55,10 @@ public:
     /// The picture so far; pixels without a sample are black.
     virtual Image picture() = 0;
 
+    /// The share of each pixel's samples that show a surface; 0 without a sample. Empty if the
+    /// background is not hidden from the camera.
+    virtual std::vector<float> alpha() = 0;
+
     /// Samples per pixel at the end, including those that the film held before.
     virtual uint64_t samplesInTheEnd() const = 0;
 

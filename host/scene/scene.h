@@ -47,6 +47,7 @@ struct RenderDefaults {
     uint32_t maxBounces = 4; ///< scattering events along a path; 0 shows emitters only
     uint32_t seed = 0;
     DenoiserKind denoiser = DenoiserKind::Off;
+    bool hidesBackground = false; ///< as TransportSettings::hidesBackground
 };
 
 enum class MaterialType : uint8_t { Diffuse, Metal, Nonmetal, BlinnPhong, Dielectric };

@@ -73,6 +73,13 @@ void addPicture(std::vector<Setting>& rows) {
                  const Crop& crop = settings.crop;
                  return Json({crop.x, crop.y, crop.width, crop.height});
              }});
+    rows.push_back(
+        flag({.name = "transparent",
+              .help = "Hide the background from the camera: it lights the scene, and the picture "
+                      "has an alpha channel (default: as the scene says)",
+              .group = SettingGroup::Picture,
+              .changesSamples = true}, // not isOfScene: films without it show the background
+             [](auto& settings) -> auto& { return settings.transport.hidesBackground; }));
     static constexpr Named<DenoiserKind> kDenoisers[] = {
         named(DenoiserKind::Off), named(DenoiserKind::Oidn), named(DenoiserKind::Statistical)};
     rows.push_back(

@@ -16,7 +16,7 @@ struct PixelTask {
     bool isOver; ///< the path has ended, but its sample is not in `sum` yet
     Path path;
     Hit hit;  ///< of the path's ray, after it has been traced
-    vec4 sum; ///< of the pixel's radiance, and in w its samples
+    vec4 sum; ///< of the pixel's radiance, and in w its samples (kHiddenSample)
 };
 
 /// The results of a lane in this dispatch.
@@ -30,7 +30,8 @@ struct LaneTotals {
 /// Adds the sample of a path that has ended.
 void endPath(inout PixelTask task, inout LaneTotals totals) {
     bool finite = isFinite(task.path.radiance) && isFinite(task.path.throughput);
-    task.sum += vec4(finite ? task.path.radiance : vec3(0.0), 1.0);
+    float count = showsNothing(task.path) ? 1.0 + kHiddenSample : 1.0;
+    task.sum += vec4(finite ? task.path.radiance : vec3(0.0), count);
     totals.pathsLost += finite ? 0u : 1u;
     totals.pathsEnded++;
     task.hasPath = false;

@@ -4,6 +4,7 @@
 #define CALOTYPE_PATH_FEATURES_GLSL
 
 #include "config/sampler.glsl"
+#include "config/settings.glsl"
 #include "film/film_filter.glsl"
 #include "lights/light.glsl"
 #include "path/camera.glsl"
@@ -59,7 +60,8 @@ void extendFeatures(inout FeatureSearch search, Hit hit, Camera camera, uint inf
     search.goesOn = false;
     vec3 wo = -search.ray.direction;
     if (hit.primitive == kNone) {
-        if (hasInfiniteLights && infiniteLight != kNone)
+        bool isHidden = hidesBackground && search.bounce == 0u;
+        if (hasInfiniteLights && infiniteLight != kNone && !isHidden)
             search.record.features.meanAlbedo =
                 search.throughput * albedoOfLight(infiniteLightRadiance(loadLight(infiniteLight),
                                                                         pointAtInfinity(-wo)));

@@ -33,7 +33,9 @@ vec3 infiniteLight(Path path, Light light) {
 }
 
 bool pathMiss(inout Path path, PathLimits limits) {
-    if (hasInfiniteLights && limits.lights.infinite != kNone)
+    if (hidesBackground && path.bounce == 0u)
+        path.rayKind = kHiddenRay;
+    else if (hasInfiniteLights && limits.lights.infinite != kNone)
         addRadiance(path, path.throughput * infiniteLight(path, loadLight(limits.lights.infinite)),
                     limits);
     return false;

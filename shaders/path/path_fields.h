@@ -13,5 +13,5 @@ FIELD(float, bsdfPdf, w)      ///< density per solid angle of the path's directi
 ROW(vec3, radiance, xyz)      ///< found so far, W/(m^2 sr)
 FIELD(float, etaScale, w)     ///< the factor that undoes the scaling of `throughput` by refraction
 ROW(vec3, arriving, xyz)      ///< of a shadow ray: what it adds if nothing blocks it
-FIELD(uint, rayKind, w)       ///< kPathRay or kShadowRay
+FIELD(uint, rayKind, w)       ///< kPathRay, kShadowRay or kHiddenRay
 ROW(vec3, nextDirection, xyz) ///< in which the path leaves its vertex after a shadow ray

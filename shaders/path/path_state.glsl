@@ -12,6 +12,7 @@
 // The purpose of the path's ray.
 const uint kPathRay = 0u;   ///< finds the next surface of the path
 const uint kShadowRay = 1u; ///< finds whether light arrives at the path's vertex
+const uint kHiddenRay = 2u; ///< has left the scene from the camera: its sample shows nothing
 
 struct Path {
     SampleId id;
@@ -31,6 +32,9 @@ struct PathLimits {
 Ray pathRay(Path path) { return Ray(path.rayOrigin, path.rayTMax, path.rayDirection); }
 
 bool hasShadowRay(Path path) { return hasLights && path.rayKind == kShadowRay; }
+
+/// True after the path's end if it shows the background, which is hidden from the camera.
+bool showsNothing(Path path) { return hidesBackground && path.rayKind == kHiddenRay; }
 
 void setRay(inout Path path, Ray ray, uint kind, uint target) {
     path.rayOrigin = ray.origin;

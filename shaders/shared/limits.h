@@ -9,6 +9,11 @@ CALOTYPE_BEGIN_SHARED
 /// Samples of consecutive absolute indices, summed in one storage image for the film.
 CALOTYPE_CONSTANT uint kSamplesPerBlock = 16;
 
+/// A block counts a pixel's samples in one float: 1 for each, and this much more for each that
+/// shows the background where it is hidden from the camera. So the whole part is the number of
+/// samples; all sums are exact.
+CALOTYPE_CONSTANT float kHiddenSample = 1.0f / 32.0f;
+
 /// Independent randomisations; blocks belong to them in turn.
 CALOTYPE_CONSTANT uint kReplicas = 8;
 

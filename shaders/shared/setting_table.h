@@ -13,6 +13,7 @@ SETTING(Sobol, bool, usesSobol, false, sampler == Sampler::Sobol) // random numb
 SETTING(Mis, bool, usesMis, true, transport.usesMis) // these three: how paths find light
 SETTING(Roulette, bool, usesRoulette, true, transport.usesRoulette)
 SETTING(ClampsIndirect, bool, clampsIndirect, true, transport.clampsIndirect())
+SETTING(HidesBackground, bool, hidesBackground, false, transport.hidesBackground)
 END_SETTINGS
 #undef BEGIN_SETTINGS
 #undef SETTING

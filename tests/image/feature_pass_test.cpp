@@ -84,6 +84,32 @@ TEST_F(FeaturePassTest, OfTheBackgroundIsItsColorOnADisplay) {
     }
 }
 
+// Where it is hidden from the camera it has no albedo, but is seen in a mirror.
+TEST_F(FeaturePassTest, OfAHiddenBackgroundIsNothing) {
+    for (const bool hasMirror : {false, true}) {
+        SceneBuilder builder;
+        builder.scene().background = glm::dvec3(0.5);
+        Material mirror;
+        mirror.type = MaterialType::Metal;
+        mirror.color = glm::dvec3(1.0);
+        mirror.roughness = 0.0;
+        mirror.masking = Masking::Smith;
+        if (hasMirror)
+            builder
+                .rectangle({-9.0, -9.0, 0.0}, {18.0, 0.0, 0.0}, {0.0, 18.0, 0.0},
+                           builder.material(mirror))
+                .lookAtPlaneZ(4.0);
+        RenderSettings settings = settingsOf(4, 4);
+        settings.transport.hidesBackground = true;
+        const glm::vec3 expected(hasMirror ? 0.5f : 0.0f);
+        for (const Features& pixel : featuresOf(builder.scene(), settings, 2).pixels)
+            expectNear(pixel.meanAlbedo, expected);
+        const reference::ReferenceTracer tracer(builder.scene(), {4, 4}, 0, settings.transport);
+        for (const Features& pixel : referenceFeatures(tracer, settings, 2, 1).pixels)
+            expectNear(pixel.meanAlbedo, expected);
+    }
+}
+
 // The share of each pixel that an edge leaves is the mean of its rays: here 0, 1/4 or 1.
 TEST_F(FeaturePassTest, OfAnEdgeIsTheShareOfThePixel) {
     SceneBuilder builder;

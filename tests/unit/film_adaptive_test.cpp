@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "film/allocate_blocks.h"
+#include "film/block_count.h"
 #include "film/error_estimate.h"
 
 namespace calotype::test {
@@ -51,6 +52,24 @@ TEST(AdaptiveFilmTest, IsAFilmWhereAllPixelsHaveAsManySamples) {
     }
     // Spreads about each half's mean, not about the mean of both: 6 degrees of freedom of 7.
     EXPECT_NEAR(estimateError(adaptive)->relative / estimateError(even)->relative, 1.0, 0.15);
+}
+
+// As the colour is, so that both are of the same samples.
+TEST(AdaptiveFilmTest, AlphaIsTheMeanOfItsHalves) {
+    AdaptiveFilm film(2, 1, 1.0, true);
+    const auto block = [](uint32_t first, uint32_t second) {
+        return Block{{0, 0, 0, blockCount({16, first})}, {0, 0, 0, blockCount({16, second})}};
+    };
+    EXPECT_EQ(film.alpha(), std::vector<float>(2, 0.0f));
+    film.addBlock(0, block(4, 16), std::vector<uint8_t>{0, 0});
+    film.addBlock(1, block(8, 16), std::vector<uint8_t>{0, 0});
+    EXPECT_EQ(film.alpha(), (std::vector<float>{0.625f, 0.0f}));
+    film.addBlock(2, block(16, 0), std::vector<uint8_t>{0, 1}); // the second pixel is left out
+    EXPECT_EQ(film.alpha(), (std::vector<float>{0.5f * (0.375f + 0.5f), 0.0f}));
+    const Block partial = {{0, 0, 0, blockCount({16, 0})}, {0, 0, 0, blockCount({16, 0})}};
+    EXPECT_EQ(film.alpha(1, partial, std::vector<uint8_t>{0, 1}),
+              (std::vector<float>{0.5f * (0.375f + 0.75f), 0.0f}));
+    EXPECT_TRUE(AdaptiveFilm(2, 1, 1.0).alpha().empty());
 }
 
 TEST(AdaptiveFilmTest, IsTheMeanOfItsHalves) {

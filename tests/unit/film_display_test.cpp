@@ -41,6 +41,24 @@ TEST(DisplayTransformTest, RoundsToTheNearestLevel) {
     EXPECT_EQ(shown({0.00015f, 0.00016f, 2.0f}), glm::ivec3(0, 1, 255)); // 0.494, 0.527
 }
 
+// The colour of a pixel's covered part is shown as it would be on an opaque pixel, by every tone
+// map: the PNG specification (section 12.9) has colours that are not multiplied by alpha.
+TEST(DisplayTransformTest, DividesByAlphaFirst) {
+    const std::vector<float> alpha = {0.25f, 1.0f, 0.0f};
+    for (const ToneMap toneMap : kToneMaps) {
+        const DisplayTransform transform{1.0f, toneMap};
+        const glm::vec3 color(0.6f, 0.1f, 1.5f);
+        Image image(3, 1);
+        image.pixels = {0.25f * color, color, {0.5f, 0.5f, 0.5f}};
+        const Rgb8Image display = toDisplay(image, transform, alpha);
+        EXPECT_EQ(glm::ivec3(display.at(0, 0)), shown(color, transform));
+        EXPECT_EQ(glm::ivec3(display.at(1, 0)), shown(color, transform));
+        EXPECT_EQ(glm::ivec3(display.at(2, 0)), glm::ivec3(0)) << "what a denoiser left there";
+    }
+    EXPECT_EQ(alphaLevels(std::vector<float>{0.0f, 0.25f, 0.5f, 1.0f, 1.5f, -1.0f, NAN}),
+              (std::vector<uint8_t>{0, 64, 128, 255, 255, 0, 0})); // alpha is not encoded as sRGB
+}
+
 TEST(DisplayTransformTest, ExposesInStops) {
     EXPECT_EQ(shown({0.25f, 0.09f, 0.0f}, {1.0f}), shown({0.5f, 0.18f, 0.0f}));
     EXPECT_EQ(shown({2.0f, 0.72f, 0.0f}, {-2.0f}), shown({0.5f, 0.18f, 0.0f}));

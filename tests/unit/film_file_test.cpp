@@ -11,6 +11,7 @@
 
 #include "base/content_hash.h"
 #include "base/error.h"
+#include "film/block_count.h"
 #include "support/program.h"
 
 namespace calotype::test {
@@ -119,6 +120,36 @@ TEST_F(FilmFileTest, KeepsTheColorsOfReplicas) {
     EXPECT_EQ(difference(ReplicaDetail::Color), "");
     EXPECT_NE(difference(ReplicaDetail::Luminance).find("a render for denoising"),
               std::string::npos);
+}
+
+FilmLabel transparentLabel() {
+    FilmLabel label = someLabel();
+    label.settings["transparent"] = "on";
+    return label;
+}
+
+/// With hidden samples in most pixels.
+Film transparentFilm(uint32_t width, uint32_t height, ReplicaDetail detail) {
+    Film film(width, height, 0.25, detail, true);
+    for (const uint32_t block : {2u, 7u}) {
+        Block sums = randomBlock(block, film.pixelCount());
+        for (size_t i = 0; i < sums.size(); ++i)
+            sums[i].w = blockCount({16, static_cast<uint32_t>((i + block) % 17)});
+        film.addBlock(block, sums);
+    }
+    return film;
+}
+
+TEST_F(FilmFileTest, KeepsAlpha) {
+    for (const ReplicaDetail detail : {ReplicaDetail::Luminance, ReplicaDetail::Color}) {
+        const Film film = transparentFilm(kWidth, kHeight, detail);
+        writeFilm(path_, transparentLabel(), film);
+        EXPECT_EQ(versionOf(readText(path_)), 3);
+        const KeptFilm kept = readFilm(path_);
+        EXPECT_EQ(kept.film.detail() == detail, true);
+        EXPECT_TRUE(kept.film.sums() == film.sums());
+        EXPECT_EQ(kept.film.alpha(), film.alpha());
+    }
 }
 
 DenoiserFeatures someFeatures(uint32_t width, uint32_t height) {

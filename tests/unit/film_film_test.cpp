@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "film/block_count.h"
 #include "shared/limits.h"
 
 namespace calotype {
@@ -237,6 +238,51 @@ TEST(FilmTest, KeepsTheColorsOfReplicas) {
     EXPECT_EQ(film.replicaPicture(3).at(0, 0), glm::vec3(2.5, 1, 0));
 }
 
+TEST(BlockCountTest, HoldsBothNumbersExactly) {
+    for (uint32_t samples = 0; samples <= shared::kSamplesPerBlock; ++samples)
+        for (uint32_t hidden = 0; hidden <= samples; ++hidden) {
+            // As the device adds them: one sample after the other.
+            float sum = 0.0f;
+            for (uint32_t i = 0; i < samples; ++i)
+                sum += i < hidden ? 1.0f + shared::kHiddenSample : 1.0f;
+            EXPECT_EQ(blockCount({samples, hidden}), sum);
+            EXPECT_EQ(blockCountOf(sum).samples, samples);
+            EXPECT_EQ(blockCountOf(sum).hidden, hidden);
+        }
+}
+
+// Alpha is 1 minus the share of hidden samples, and the colour's divisor is all samples.
+TEST(FilmTest, AlphaIsTheShareOfSamplesThatShowASurface) {
+    const auto block = [](uint32_t first, uint32_t second, uint32_t third) {
+        return Block{{16, 0, 0, blockCount({16, first})},
+                     {0, 8, 0, blockCount({16, second})},
+                     {0, 0, 0, blockCount({16, third})}};
+    };
+    Film film(3, 1, 1.0, ReplicaDetail::Luminance, true);
+    ASSERT_TRUE(film.hasAlpha());
+    EXPECT_EQ(film.alpha(), std::vector<float>(3, 0.0f)) << "no samples";
+    film.addBlock(0, block(0, 8, 16));
+    Film other(3, 1, 1.0, ReplicaDetail::Luminance, true);
+    other.addBlock(5, block(0, 4, 16));
+    film.add(other);
+    EXPECT_EQ(film.alpha(), (std::vector<float>{1.0f, 0.625f, 0.0f}));
+    EXPECT_EQ(film.picture().at(0, 0).r, 1.0f);
+    EXPECT_EQ(film.picture().at(1, 0).g, 0.5f) << "multiplied by alpha";
+    // Eight samples more, half of them hidden in the second pixel.
+    const Block partial = {{0, 0, 0, 8}, {12, 12, 12, blockCount({8, 4})}, {0, 0, 0, 8}};
+    const std::vector<float> alpha = film.alpha(partial);
+    EXPECT_FLOAT_EQ(alpha[1], 1.0f - 16.0f / 40.0f);
+    EXPECT_FLOAT_EQ(alpha[2], 1.0f - 32.0f / 40.0f);
+    EXPECT_FLOAT_EQ(film.picture(partial).at(1, 0).g, 28.0f / 40.0f);
+    EXPECT_TRUE(Film(3, 1, 1.0).alpha(partial).empty());
+}
+
+TEST(FilmDeathTest, RefusesHiddenSamplesWithoutAlpha) {
+    Film film(1, 1, 1.0);
+    EXPECT_DEATH(film.addBlock(0, Block{{0, 0, 0, blockCount({16, 1})}}), "taken.hidden");
+    EXPECT_DEATH(film.add(Film(1, 1, 1.0, ReplicaDetail::Luminance, true)), "hasAlpha");
+}
+
 TEST(FilmDeathTest, RefusesAnotherDetailThanItsOwn) {
     Film film(1, 1, 1.0, ReplicaDetail::Color);
     EXPECT_DEATH(film.add(Film(1, 1, 1.0)), "check failed: detail");
@@ -246,7 +292,7 @@ TEST(FilmDeathTest, RefusesBlocksThatAreNotWhole) {
     Film film(2, 1, 1.0);
     Block block = uniformBlock(2, glm::vec3(1.0f));
     block[1].w = kWhole - 1;
-    EXPECT_DEATH(addNext(film, block), "check failed: sum.w");
+    EXPECT_DEATH(addNext(film, block), "check failed: taken.samples");
     EXPECT_DEATH(addNext(film, uniformBlock(1, glm::vec3(1.0f))), "check failed");
     EXPECT_DEATH(film.picture(uniformBlock(1, glm::vec3(1.0f))), "check failed");
     EXPECT_DEATH(Film(2, 1, 3.0), "check failed");

@@ -69,6 +69,29 @@ TEST(PngTest, SaysThatItIsSrgb) {
     EXPECT_EQ(checksum, crc32(0, reinterpret_cast<const Bytef*>(name.data()), 5));
 }
 
+TEST(PngTest, HoldsAlpha) {
+    Rgb8Image image(5, 3);
+    std::vector<uint8_t> alpha;
+    for (size_t i = 0; i < image.pixels.size(); ++i) {
+        image.pixels[i] = glm::u8vec3(i, 2 * i, 255 - i);
+        alpha.push_back(static_cast<uint8_t>(17 * i));
+    }
+    const std::string bytes = encodePng(image, {}, alpha);
+    int width = 0, height = 0, channels = 0;
+    stbi_uc* pixels =
+        stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()),
+                              static_cast<int>(bytes.size()), &width, &height, &channels, 0);
+    ASSERT_NE(pixels, nullptr);
+    EXPECT_EQ(width, 5);
+    EXPECT_EQ(height, 3);
+    ASSERT_EQ(channels, 4);
+    for (size_t i = 0; i < alpha.size(); ++i) {
+        EXPECT_EQ(std::memcmp(pixels + 4 * i, &image.pixels[i], 3), 0);
+        EXPECT_EQ(pixels[4 * i + 3], alpha[i]);
+    }
+    stbi_image_free(pixels);
+}
+
 // The chunk of the PNG specification, 11.3.3.3: keyword, a zero byte and the text, before the
 // pixels. Its checksum is that of zlib.
 TEST(PngTest, HoldsTexts) {

@@ -119,14 +119,17 @@ TEST(SceneValuesTest, FilmAndRenderSettings) {
     EXPECT_EQ(defaults.render.maxBounces, 4u);
     EXPECT_EQ(defaults.render.seed, 0u);
     EXPECT_EQ(defaults.render.denoiser, DenoiserKind::Off);
+    EXPECT_FALSE(defaults.render.hidesBackground);
     const Scene set = files.loadText(R"({"camera": {}, "film": {"width": 65535, "height": 1},
-        "render": {"spp": 8.0, "max_bounces": 0, "seed": 4294967295, "denoise": "oidn"}})");
+        "render": {"spp": 8.0, "max_bounces": 0, "seed": 4294967295, "denoise": "oidn",
+                   "transparent": true}})");
     EXPECT_EQ(set.film.width, 65535u);
     EXPECT_EQ(set.film.height, 1u);
     EXPECT_EQ(set.render.samplesPerPixel, 8u);
     EXPECT_EQ(set.render.maxBounces, 0u);
     EXPECT_EQ(set.render.seed, 4294967295u);
     EXPECT_EQ(set.render.denoiser, DenoiserKind::Oidn);
+    EXPECT_TRUE(set.render.hidesBackground);
 }
 
 TEST(SceneValuesTest, EveryFilmFilter) {

@@ -23,7 +23,8 @@ const std::map<std::string, std::string> kOthers = {
     {"bvh", "median"},          {"everything", "on"},
     {"roulette", "off"},        {"mis", "off"},
     {"max_bounces", "3"},       {"clamp_indirect", "0.3"},
-    {"light_choice", "all"},    {"texture_filter", "nearest"}};
+    {"light_choice", "all"},    {"texture_filter", "nearest"},
+    {"transparent", "on"}};
 
 TEST(SettingsTableTest, EveryRowReadsWhatItPrints) {
     std::set<std::string> names;
@@ -102,6 +103,8 @@ TEST(SettingsTableTest, UnderstandsFilmsOfBefore) {
     EXPECT_EQ(normalized(before), now);
     before.erase("mis"); // as if it had not been there yet: the default
     EXPECT_EQ(normalized(before), now);
+    before.erase("transparent"); // which films from before it are not
+    EXPECT_EQ(normalized(before), now);
     before.erase("size"); // which has none
     EXPECT_FALSE(normalized(before).contains("size"));
     before["seed"] = "unreadable";
@@ -117,7 +120,7 @@ TEST(SettingsTableTest, LabelsFilmsWithWhatChangesSamples) {
         names.insert(name);
     EXPECT_EQ(names, (std::set<std::string>{"size", "crop", "seed", "sampler", "max_bounces", "mis",
                                             "roulette", "clamp_indirect", "light_choice",
-                                            "texture_filter", "bvh"}));
+                                            "texture_filter", "bvh", "transparent"}));
 }
 
 TEST(SettingsTableTest, SaysChangesAsOptions) {

@@ -53,6 +53,10 @@ const JsonObjectType& renderObject() {
                     "What removes the noise of the finished picture: oidn is Open Image Denoise 2, "
                     "statistical mixes only pixels whose difference may be noise.")
                 .orElseJson("\"off\""),
+            JsonKey("transparent", booleanType(),
+                    "Hides the background from the camera, and gives the picture an alpha channel. "
+                    "The background still lights the scene.")
+                .orElseJson("false"),
         },
         {},
         "Defaults of options of the command line."};
@@ -85,6 +89,7 @@ RenderDefaults readRender(const JsonValue& value) {
     render.maxBounces = wholeNumber(object, "max_bounces", render.maxBounces);
     render.seed = wholeNumber(object, "seed", render.seed);
     render.denoiser = static_cast<DenoiserKind>(object.choice("denoise", kDenoisers, 0));
+    render.hidesBackground = object.boolean("transparent", false);
     return render;
 }
 
