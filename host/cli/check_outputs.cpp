@@ -102,8 +102,9 @@ OutputClaims checkOutputs(const MergeOptions& options) {
         throw UsageError("--threads is for the denoiser, and there is none; add --denoise oidn, or "
                          "leave it out");
     requireExrFor(options.layers, options.outputs);
-    if (hasSource(options.layers, LayerSource::FirstHit) ||
-        hasSource(options.layers, LayerSource::Averaged))
+    if (std::ranges::any_of(options.layers, [](const Layer* layer) {
+            return layer->source != LayerSource::Replicas;
+        }))
         throw UsageError(
             "films hold samples of light alone; of the layers of --aov, merge writes " +
             namesOf(layersOfFilms()));

@@ -57,9 +57,10 @@ FirstHitImage DeviceEngine::firstHits(const std::function<void(double)>& onProgr
     return hits;
 }
 
-FeatureImage DeviceEngine::features(const std::function<void(double)>& onProgress) {
+FeatureImage DeviceEngine::features(const std::function<void(double)>& onProgress,
+                                    const OnPrimitives& onPrimitives) {
     FeaturePass pass(device(), packed_, buffers_, packed_.features, settings_);
-    FeatureImage features = pass.run(kFeatureRays, onProgress);
+    FeatureImage features = pass.run(kFeatureRays, onProgress, onPrimitives);
     cutFeatureRays_ = pass.cutRays();
     return features;
 }

@@ -21,7 +21,8 @@ public:
     BlockTracer& tracer() override { return tracer_; }
     double maxRadiance() const override { return packed_.maxRadiance; }
     FirstHitImage firstHits(const std::function<void(double)>& onProgress) override;
-    FeatureImage features(const std::function<void(double)>& onProgress) override;
+    FeatureImage features(const std::function<void(double)>& onProgress,
+                          const OnPrimitives& onPrimitives) override;
     uint64_t cutPixels() const override { return cutPixels_; }
     uint64_t cutFeatureRays() const override { return cutFeatureRays_; }
     DeviceInfo info() const override { return device().info(); }

@@ -38,6 +38,8 @@ Picture PictureWriter::pictureOf(Session& session, const std::optional<CleanPict
             return channelsOf(layer, firstHits_);
         case LayerSource::Averaged:
             return channelsOf(layer, features_);
+        case LayerSource::Mattes:
+            return mattes_.channelsOf(layer);
         case LayerSource::Replicas:
             break;
         }
@@ -46,6 +48,7 @@ Picture PictureWriter::pictureOf(Session& session, const std::optional<CleanPict
     Picture picture =
         develop(clean ? clean->color : session.picture(), options_.layers, makeChannels);
     picture.setAlpha(session.alpha());
+    mattes_.describe(picture);
     describe(picture, label_, session.totals().samplesPerPixel);
     if (clean)
         describeClean(*clean, session.picture(), picture);

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/mattes.h"
 #include "engine/output_options.h"
 #include "engine/picture_denoiser.h"
 #include "film/film_file.h"
@@ -23,9 +24,9 @@ public:
     /// `spareFolders`.
     PictureWriter(const OutputOptions& options, const FilmLabel& label,
                   const FirstHitImage& firstHits, const FeatureImage& features,
-                  std::vector<std::filesystem::path> spareFolders)
+                  const Mattes& mattes, std::vector<std::filesystem::path> spareFolders)
         : options_(options), label_(label), firstHits_(firstHits), features_(features),
-          spareFolders_(std::move(spareFolders)) {}
+          mattes_(mattes), spareFolders_(std::move(spareFolders)) {}
 
     /// Writes every output that can be written, then throws OutputError with all failures, and
     /// where those pictures are kept. `clean`, if there is one, is the picture after denoising;
@@ -44,6 +45,7 @@ private:
     const FilmLabel& label_;
     const FirstHitImage& firstHits_;
     const FeatureImage& features_;
+    const Mattes& mattes_;
     std::vector<std::filesystem::path> spareFolders_;
 };
 

@@ -33,8 +33,9 @@ FirstHitImage ReferenceEngine::firstHits(const std::function<void(double)>& onPr
     return referenceFirstHits(tracer_, settings_, threads_, onProgress);
 }
 
-FeatureImage ReferenceEngine::features(const std::function<void(double)>& onProgress) {
-    return referenceFeatures(tracer_, settings_, kFeatureRays, threads_, onProgress);
+FeatureImage ReferenceEngine::features(const std::function<void(double)>& onProgress,
+                                       const OnPrimitives& onPrimitives) {
+    return referenceFeatures(tracer_, settings_, kFeatureRays, threads_, onProgress, onPrimitives);
 }
 
 DeviceInfo ReferenceEngine::info() const {

@@ -16,7 +16,8 @@ public:
     BlockTracer& tracer() override { return block_; }
     double maxRadiance() const override { return tracer_.maxRadiance(); }
     FirstHitImage firstHits(const std::function<void(double)>& onProgress) override;
-    FeatureImage features(const std::function<void(double)>& onProgress) override;
+    FeatureImage features(const std::function<void(double)>& onProgress,
+                          const OnPrimitives& onPrimitives) override;
     DeviceInfo info() const override;
     const char* tree() const override { return "reference"; }
 

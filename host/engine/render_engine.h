@@ -30,7 +30,8 @@ public:
     virtual FirstHitImage firstHits(const std::function<void(double)>& onProgress) = 0;
 
     /// Needs EngineRequest::wantsFeatures. `onProgress` is called with the share done in [0, 1].
-    virtual FeatureImage features(const std::function<void(double)>& onProgress) = 0;
+    virtual FeatureImage features(const std::function<void(double)>& onProgress,
+                                  const OnPrimitives& onPrimitives) = 0;
 
     /// Pixels of the first hits that show a surface the ray should have passed through.
     virtual uint64_t cutPixels() const { return 0; }

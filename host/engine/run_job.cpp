@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -75,8 +76,9 @@ public:
                           [&](const std::string& warning) { warn(warning); });
         const LayerList& layers = job_.output.layers;
         const bool wantsHits = hasSource(layers, LayerSource::FirstHit);
-        const bool wantsFeatures =
-            (denoiser && !keeper.features()) || hasSource(layers, LayerSource::Averaged);
+        const bool wantsFeatures = (denoiser && !keeper.features()) ||
+                                   hasSource(layers, LayerSource::Averaged) ||
+                                   hasSource(layers, LayerSource::Mattes);
         const auto onStep = [&](const std::string& what, double done) { prepare(what, done); };
         const std::unique_ptr<RenderEngine> engine =
             makeEngine(device_, scene_, {settings_, wantsHits, wantsFeatures, onStep}, seconds_);
@@ -87,15 +89,14 @@ public:
         if (wantsHits)
             hits = engine->firstHits([&](double done) { prepare("finding first hits", done); });
         FeatureImage features;
+        Mattes mattes(scene_, layers, size_t{settings_.crop.width} * settings_.crop.height);
         if (wantsFeatures)
-            features = timed(seconds_.features, [&] {
-                return engine->features([&](double done) { prepare("finding features", done); });
-            });
+            features = timed(seconds_.features, [&] { return findFeatures(*engine, mattes); });
         if (denoiser && !keeper.features())
             keeper.setFeatures(denoiserFeatures(features));
         if (!hasSource(layers, LayerSource::Averaged)) // 32 bytes per pixel
             features = {};
-        const PictureWriter writer(job_.output, keeper.label(), hits, features, folders);
+        const PictureWriter writer(job_.output, keeper.label(), hits, features, mattes, folders);
         if (callbacks_.onPrepared)
             callbacks_.onPrepared();
         const std::unique_ptr<Session> session = begin(*engine, keeper);
@@ -148,6 +149,14 @@ private:
     void prepare(const std::string& what, double done) const {
         throwIfStopped();
         report(what, done);
+    }
+
+    FeatureImage findFeatures(RenderEngine& engine, Mattes& mattes) const {
+        OnPrimitives onPrimitives;
+        if (mattes.areWanted())
+            onPrimitives = [&](std::span<const uint32_t> ray) { mattes.addRay(ray); };
+        return engine.features([&](double done) { prepare("finding features", done); },
+                               onPrimitives);
     }
 
     /// Each warning once: a checkpoint or preview that fails may do so every time.

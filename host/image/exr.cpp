@@ -67,9 +67,23 @@ Imf::PixelType typeOf(const Channel& channel) {
     return std::holds_alternative<std::vector<uint32_t>>(channel.pixels) ? Imf::UINT : Imf::FLOAT;
 }
 
+/// Of an attribute.
+std::string nameInFile(const std::string& name) {
+    return name.starts_with(kCryptomattePrefix) ? name : std::string(kMetadataPrefix) + name;
+}
+
+/// The inverse; none for an attribute that insertMetadata does not write.
+std::optional<std::string> nameFromFile(std::string_view name) {
+    if (name.starts_with(kCryptomattePrefix))
+        return std::string(name);
+    if (name.starts_with(kMetadataPrefix))
+        return std::string(name.substr(kMetadataPrefix.size()));
+    return std::nullopt;
+}
+
 void insertMetadata(Imf::Header& header, const std::vector<Attribute>& metadata) {
     for (const Attribute& attribute : metadata) {
-        const std::string name = std::string(kMetadataPrefix) + attribute.name;
+        const std::string name = nameInFile(attribute.name);
         if (const auto* text = std::get_if<std::string>(&attribute.value))
             header.insert(name, Imf::StringAttribute(*text));
         else if (const auto* integer = std::get_if<int32_t>(&attribute.value))
@@ -83,13 +97,12 @@ void insertMetadata(Imf::Header& header, const std::vector<Attribute>& metadata)
 std::vector<Attribute> metadataOf(const Imf::Header& header) {
     std::vector<Attribute> metadata;
     for (auto i = header.begin(); i != header.end(); ++i) {
-        const std::string_view name = i.name();
-        if (!name.starts_with(kMetadataPrefix))
+        const std::optional<std::string> name = nameFromFile(i.name());
+        if (!name)
             continue;
         const auto add = [&](const auto* attribute) {
             if (attribute)
-                metadata.push_back(
-                    {std::string(name.substr(kMetadataPrefix.size())), attribute->value()});
+                metadata.push_back({*name, attribute->value()});
         };
         add(dynamic_cast<const Imf::StringAttribute*>(&i.attribute()));
         add(dynamic_cast<const Imf::IntAttribute*>(&i.attribute()));

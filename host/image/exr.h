@@ -9,8 +9,8 @@ namespace calotype {
 
 /// Writes the colour as channels R, G and B of 32-bit float, and the picture's other channels under
 /// their names, bit for bit, compressed by ZIP, atomically. Metadata become attributes whose names
-/// start with "calotype:". The display window is the whole picture, the data window the crop.
-/// Throws OutputError.
+/// start with "calotype:", or with "cryptomatte/" if they do already. The display window is the
+/// whole picture, the data window the crop. Throws OutputError.
 void writeExr(const std::filesystem::path& path, const Picture& picture);
 
 /// Reads the data window of channels R, G and B, of half or float. Throws SceneError if the file

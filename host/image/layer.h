@@ -13,7 +13,11 @@ enum class LayerSource : uint8_t {
     FirstHit, ///< a FirstHit for each pixel
     Averaged, ///< Features for each pixel
     Replicas, ///< a PixelError for each pixel
+    Mattes,   ///< a Coverage of the picture
 };
+
+/// What a matte tells apart.
+enum class MatteKind : uint8_t { Objects, Materials };
 
 /// A group of channels of a picture: a row of the table in shared/layers.h.
 struct Layer {
@@ -22,7 +26,9 @@ struct Layer {
     std::vector<std::string> channels; ///< their full names: "albedo.R", "albedo.G", "albedo.B"
     bool isInteger = false;            ///< 32-bit unsigned integers; else 32-bit floats
     std::string help;                  ///< meaning and unit of its values
-    size_t offset = 0; ///< of its values in a FirstHit, Features or a PixelError, bytes
+    size_t offset = 0;         ///< of its values in a FirstHit, Features or a PixelError, bytes
+    std::string typeName = {}; ///< of mattes: before the ranks in the names of `channels`
+    MatteKind matte = MatteKind::Objects; ///< of mattes
 };
 
 using LayerList = std::vector<const Layer*>;

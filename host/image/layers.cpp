@@ -6,6 +6,7 @@
 
 #include "base/check.h"
 #include "base/error.h"
+#include "image/cryptomatte.h"
 #include "image/exr.h"
 
 namespace calotype {
@@ -32,8 +33,19 @@ Layer makeLayer(const char* name, LayerSource source, std::string_view channels,
     return layer;
 }
 
+Layer makeMatte(const char* name, MatteKind kind, const char* typeName, const char* help) {
+    return {.name = name,
+            .source = LayerSource::Mattes,
+            .channels = cryptomatteChannels(typeName),
+            .help = help,
+            .typeName = typeName,
+            .matte = kind};
+}
+
 std::vector<Layer> makeLayers() {
     using namespace shared; // the types of the table
+#define CALOTYPE_MATTE_ROW(name, kind, typeName, help)                                             \
+    makeMatte(#name, MatteKind::kind, typeName, help),
 #define CALOTYPE_FIRST_HIT_ROW(name, type, nothing, channels, help)                                \
     makeLayer<type, offsetof(FirstHit, name), sizeof(FirstHit)>(#name, LayerSource::FirstHit,      \
                                                                 channels, help),
@@ -43,7 +55,8 @@ std::vector<Layer> makeLayers() {
 #define CALOTYPE_REPLICAS_ROW(name, first, type, channels, help)                                   \
     makeLayer<type, offsetof(PixelError, first), sizeof(PixelError)>(#name, LayerSource::Replicas, \
                                                                      channels, help),
-    return {CALOTYPE_LAYERS(CALOTYPE_FIRST_HIT_ROW, CALOTYPE_AVERAGED_ROW, CALOTYPE_REPLICAS_ROW)};
+    return {CALOTYPE_LAYERS(CALOTYPE_FIRST_HIT_ROW, CALOTYPE_AVERAGED_ROW, CALOTYPE_REPLICAS_ROW,
+                            CALOTYPE_MATTE_ROW)};
 }
 
 /// The 32-bit number at `offset` bytes in each record.
@@ -130,6 +143,23 @@ std::vector<Channel> channelsOf(const Layer& layer, const FeatureImage& features
 std::vector<Channel> channelsOf(const Layer& layer, std::span<const PixelError> errors) {
     CALOTYPE_CHECK_EQ(layer.source == LayerSource::Replicas, true);
     return gatherChannels(layer, errors);
+}
+
+std::vector<Channel> channelsOf(const Layer& layer, const Coverage& coverage,
+                                std::span<const float> ids) {
+    CALOTYPE_CHECK_EQ(layer.source == LayerSource::Mattes, true);
+    std::vector<Channel> channels;
+    for (const std::string& name : layer.channels)
+        channels.push_back({name, std::vector<float>(coverage.pixelCount())});
+    for (size_t pixel = 0; pixel < coverage.pixelCount(); ++pixel) {
+        const std::vector<Coverage::Share> shares = coverage.ranked(pixel);
+        const size_t ranks = std::min(shares.size(), channels.size() / 2);
+        for (size_t rank = 0; rank < ranks; ++rank) {
+            std::get<0>(channels[2 * rank].pixels)[pixel] = ids[shares[rank].thing];
+            std::get<0>(channels[2 * rank + 1].pixels)[pixel] = shares[rank].share;
+        }
+    }
+    return channels;
 }
 
 FirstHitImage readFirstHits(const std::filesystem::path& path) {

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "image/coverage.h"
 #include "image/features.h"
 #include "image/first_hit.h"
 #include "image/layer.h"
@@ -20,6 +21,10 @@ std::vector<Channel> channelsOf(const Layer& layer, const FeatureImage& features
 
 /// The channels of a layer whose source is Replicas.
 std::vector<Channel> channelsOf(const Layer& layer, std::span<const PixelError> errors);
+
+/// The channels of a layer whose source is Mattes. `ids` has that of each thing of the coverage.
+std::vector<Channel> channelsOf(const Layer& layer, const Coverage& coverage,
+                                std::span<const float> ids);
 
 /// Reads the first-hit layers in an EXR file; a layer that the file lacks gets the default values
 /// of a FirstHit. Throws SceneError if the file cannot be read, is damaged, or has no such layer.

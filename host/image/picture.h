@@ -21,6 +21,9 @@ struct Channel {
 /// Before the names of attributes in files.
 inline constexpr std::string_view kMetadataPrefix = "calotype:";
 
+/// Attributes whose names begin like this have the same names in files.
+inline constexpr std::string_view kCryptomattePrefix = "cryptomatte/";
+
 /// A fact about a picture, such as the number of its samples.
 struct Attribute {
     std::string name;

@@ -30,10 +30,10 @@ public:
         ray_ = cameraRay(setup.scene.camera, setup.imageSize, onFilm, glm::dvec2(u.z, u.w));
     }
 
-    Features run() {
+    RayFeatures run() {
         while (extend()) {
         }
-        return features_;
+        return {features_, primitive_};
     }
 
 private:
@@ -59,6 +59,7 @@ private:
             const glm::dvec3 way = surface.position - setup_.scene.camera.position;
             features_.meanDepth = static_cast<float>(glm::dot(way, setup_.scene.camera.forward));
             features_.alpha = 1.0f;
+            primitive_ = surface.primitive;
         }
         const glm::dvec3 emitted =
             light ? shown(*light, {surface.position, surface.ng}) : glm::dvec3(0.0);
@@ -101,11 +102,12 @@ private:
     glm::dvec3 throughput_{1.0};
     uint32_t events_ = 0;
     Features features_;
+    uint32_t primitive_ = kNoPrimitive; ///< of the first surface that the ray shows
 };
 
 } // namespace
 
-Features traceFeatures(const PathSetup& setup, const SampleId& id) {
+RayFeatures traceFeatures(const PathSetup& setup, const SampleId& id) {
     return FeatureRay(setup, id).run();
 }
 

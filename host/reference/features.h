@@ -8,6 +8,6 @@ namespace calotype::reference {
 
 /// What one ray of a pixel shows: it is followed through surfaces that only mirror and refract to
 /// the first other one. May be called from several threads.
-Features traceFeatures(const PathSetup& setup, const SampleId& id);
+RayFeatures traceFeatures(const PathSetup& setup, const SampleId& id);
 
 } // namespace calotype::reference

@@ -34,7 +34,9 @@ PathSetup ReferenceTracer::setup() const {
 
 PathSample ReferenceTracer::trace(const SampleId& id) const { return tracePath(setup(), id); }
 
-Features ReferenceTracer::features(const SampleId& id) const { return traceFeatures(setup(), id); }
+RayFeatures ReferenceTracer::features(const SampleId& id) const {
+    return traceFeatures(setup(), id);
+}
 
 FirstHit ReferenceTracer::firstHitAt(const glm::dvec2& filmPosition) const {
     const glm::dvec2 lensCentre(0.0);

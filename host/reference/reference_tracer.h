@@ -39,7 +39,7 @@ public:
     PathSample trace(const SampleId& id) const;
 
     /// What one ray of one pixel shows.
-    Features features(const SampleId& id) const;
+    RayFeatures features(const SampleId& id) const;
 
     /// The first hit of the ray through the centres of the pixel and of the lens.
     FirstHit firstHit(const glm::uvec2& pixel) const { return firstHitAt(glm::dvec2(pixel) + 0.5); }

@@ -24,11 +24,15 @@ FeaturePass::FeaturePass(const Device& device, const GpuScene& scene, const Scen
             {"features", kFeaturesSpirv, shared::kBindingFeatures,
              specialization(device, features, {}, settings.sampler, settings.transport)}) {}
 
-FeatureImage FeaturePass::run(uint32_t rays, const std::function<void(double)>& onProgress) {
+FeatureImage FeaturePass::run(uint32_t rays, const std::function<void(double)>& onProgress,
+                              const OnPrimitives& onPrimitives) {
+    static_assert(kNoPrimitive == shared::kNone);
     FeatureImage image(parameters_.cropSize.x, parameters_.cropSize.y);
+    PixelGrid<uint32_t> primitives(image.width, image.height);
     cutRays_ = 0;
     const auto take = [&](uint32_t x, uint32_t y, const shared::FeatureRecord& record) {
         add(record.features, image.at(x, y));
+        primitives.at(x, y) = record.primitive;
         cutRays_ += record.isCut;
     };
     for (uint32_t ray = 0; ray < rays; ++ray) {
@@ -38,6 +42,8 @@ FeatureImage FeaturePass::run(uint32_t rays, const std::function<void(double)>& 
                 onProgress((ray + done) / rays);
         };
         pass_.run(parameters_, take, onPart);
+        if (onPrimitives)
+            onPrimitives(primitives.pixels);
     }
     for (Features& pixel : image.pixels)
         pixel = meanFeatures(pixel, rays);

@@ -21,7 +21,8 @@ public:
 
     /// The means of `rays` > 0 rays. `onProgress`, if given, is called about ten times a second
     /// with the share done in [0, 1]; it may throw to end the work.
-    FeatureImage run(uint32_t rays, const std::function<void(double)>& onProgress = {});
+    FeatureImage run(uint32_t rays, const std::function<void(double)>& onProgress = {},
+                     const OnPrimitives& onPrimitives = {});
 
     /// Rays of the last run that a limit ended at a surface where they would go on.
     uint64_t cutRays() const { return cutRays_; }

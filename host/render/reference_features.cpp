@@ -7,18 +7,28 @@ namespace calotype {
 
 FeatureImage referenceFeatures(const reference::ReferenceTracer& tracer,
                                const RenderSettings& settings, uint32_t rays, uint32_t threads,
-                               const std::function<void(double)>& onProgress) {
+                               const std::function<void(double)>& onProgress,
+                               const OnPrimitives& onPrimitives) {
     const Crop& crop = settings.crop;
     FeatureImage image(crop.width, crop.height);
-    const auto find = [&](uint32_t x, uint32_t y) {
-        Features sum;
-        for (uint32_t ray = 0; ray < rays; ++ray)
-            add(tracer.features(
-                    {{crop.x + x, crop.y + y}, ray, featureSeed(settings.seed), settings.sampler}),
-                sum);
-        image.at(x, y) = meanFeatures(sum, rays);
-    };
-    forEachPixel(crop, threads, find, onProgress);
+    PixelGrid<uint32_t> primitives(crop.width, crop.height);
+    for (uint32_t ray = 0; ray < rays; ++ray) {
+        const auto find = [&](uint32_t x, uint32_t y) {
+            const RayFeatures found = tracer.features(
+                {{crop.x + x, crop.y + y}, ray, featureSeed(settings.seed), settings.sampler});
+            add(found.features, image.at(x, y));
+            primitives.at(x, y) = found.primitive;
+        };
+        const auto onPart = [&](double done) {
+            if (onProgress)
+                onProgress((ray + done) / rays);
+        };
+        forEachPixel(crop, threads, find, onPart);
+        if (onPrimitives)
+            onPrimitives(primitives.pixels);
+    }
+    for (Features& pixel : image.pixels)
+        pixel = meanFeatures(pixel, rays);
     return image;
 }
 

@@ -134,6 +134,7 @@ struct Shape {
     uint32_t material = 0; ///< index into Scene::materials; meshes carry theirs per triangle
     std::string place;     ///< file and JSON pointer, for messages
     std::string file = {}; ///< that a mesh was read from, for messages; else empty
+    std::string name = {}; ///< of the object; shapes of one name are one object. Empty: a default
 };
 
 /// A light of the file is a shape with a black, emitting material: it is seen, reflected, sampled,

@@ -19,6 +19,7 @@ void putRecord(uint index, FeatureRecord record) {
 #define CALOTYPE_PUT(name, type, channels, help) PUT_WORDS(words, place, record.features.name)
     CALOTYPE_AVERAGED_LAYERS(CALOTYPE_PUT)
 #undef CALOTYPE_PUT
+    PUT_WORDS(words, place, record.primitive)
     PUT_WORDS(words, place, record.isCut)
 }
 

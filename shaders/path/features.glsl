@@ -36,7 +36,7 @@ FeatureSearch startFeatures(SampleId id, Camera camera, uvec2 imageSize) {
     vec4 u = samplerNumbers(id, kDimensionCamera);
     vec2 filmPosition = vec2(id.pixel) + sampleFilm(camera, u.xy);
     return FeatureSearch(id, cameraRay(camera, filmPosition, imageSize, u.zw), vec3(1.0), 0u, true,
-                         FeatureRecord(noFeatures(), 0u));
+                         FeatureRecord(noFeatures(), kNone, 0u));
 }
 
 /// A light has the albedo that it shows on a display.
@@ -80,6 +80,7 @@ void extendFeatures(inout FeatureSearch search, Hit hit, Camera camera, uint inf
     if (search.bounce == 0u) {
         search.record.features.meanDepth = dot(surface.position - camera.position, camera.forward);
         search.record.features.alpha = 1.0;
+        search.record.primitive = surface.id;
     }
     vec3 albedo = vec3(0.0);
     if (hasLights && surface.light != kNone)

@@ -20,10 +20,13 @@
 // REPLICAS(name, first, type, channels, help): from the spread of the film's replicas: the fields
 // of
 //     a PixelError from `first` on.
+// MATTE(name, kind, typeName, help): the share of each pixel that shows each of the objects or
+//     materials (MatteKind), by Cryptomatte's rules (image/cryptomatte.h); `typeName` is its name
+//     in EXR files.
 //
 // `type` is float, uint, vec2 or vec3. `channels` are the names of its components in an EXR file,
 // after the name of the layer and a dot.
-#define CALOTYPE_LAYERS(FIRST_HIT, AVERAGED, REPLICAS)                                             \
+#define CALOTYPE_LAYERS(FIRST_HIT, AVERAGED, REPLICAS, MATTE)                                      \
     FIRST_HIT(albedo, vec3, 0.0f, "R,G,B",                                                         \
               "reflectance, linear Rec. 709: F0 of a metal, 1 of a dielectric, else the color")    \
     FIRST_HIT(normal, vec3, 0.0f, "X,Y,Z",                                                         \
@@ -39,17 +42,20 @@
     AVERAGED(meanDepth, float, "Z", "distance of the first surface along the axis, metres")        \
     AVERAGED(alpha, float, "A", "share of the pixel that shows a surface")                         \
     REPLICAS(error, standardError, vec2, "SE,CI95",                                                \
-             "standard error of the luminance, and half of its 95 % interval, W/(m^2 sr)")
+             "standard error of the luminance, and half of its 95 % interval, W/(m^2 sr)")         \
+    MATTE(cryptoObject, Objects, "CryptoObject", "mattes of objects, as Cryptomatte")              \
+    MATTE(cryptoMaterial, Materials, "CryptoMaterial", "mattes of materials, as Cryptomatte")
 
 /// Only the rows of one kind.
 #define CALOTYPE_NO_FIRST_HIT_ROW(name, type, nothing, channels, help)
 #define CALOTYPE_NO_AVERAGED_ROW(name, type, channels, help)
 #define CALOTYPE_NO_REPLICAS_ROW(name, first, type, channels, help)
+#define CALOTYPE_NO_MATTE_ROW(name, kind, typeName, help)
 #define CALOTYPE_FIRST_HIT_LAYERS(ROW)                                                             \
-    CALOTYPE_LAYERS(ROW, CALOTYPE_NO_AVERAGED_ROW, CALOTYPE_NO_REPLICAS_ROW)
+    CALOTYPE_LAYERS(ROW, CALOTYPE_NO_AVERAGED_ROW, CALOTYPE_NO_REPLICAS_ROW, CALOTYPE_NO_MATTE_ROW)
 
 #define CALOTYPE_AVERAGED_LAYERS(ROW)                                                              \
-    CALOTYPE_LAYERS(CALOTYPE_NO_FIRST_HIT_ROW, ROW, CALOTYPE_NO_REPLICAS_ROW)
+    CALOTYPE_LAYERS(CALOTYPE_NO_FIRST_HIT_ROW, ROW, CALOTYPE_NO_REPLICAS_ROW, CALOTYPE_NO_MATTE_ROW)
 
 /// 32-bit components of a type.
 #define CALOTYPE_WORDS_OF_float 1u
@@ -99,11 +105,12 @@ struct Features {
 /// The result of the feature kernel for a pixel, in kFeatureWords words as above.
 struct FeatureRecord {
     Features features; ///< of one ray
+    uint primitive;    ///< number of the first surface that the ray shows, or kNone
     uint isCut;        ///< 1 if a limit ended the search at a surface where the ray would go on
 };
 
 #define CALOTYPE_ADD_WORDS(name, type, channels, help) +CALOTYPE_WORDS_OF_##type
-CALOTYPE_CONSTANT uint kFeatureWords = 1u CALOTYPE_AVERAGED_LAYERS(CALOTYPE_ADD_WORDS);
+CALOTYPE_CONSTANT uint kFeatureWords = 2u CALOTYPE_AVERAGED_LAYERS(CALOTYPE_ADD_WORDS);
 #undef CALOTYPE_ADD_WORDS
 
 CALOTYPE_END_SHARED

@@ -65,11 +65,14 @@ void expectSame(const FirstHitImage& a, const FirstHitImage& b) {
 TEST(LayersTest, AreThoseOfTheTable) {
     EXPECT_EQ(namesOf(allLayers()),
               "albedo, normal, depth, position, primitive, uv, meanAlbedo, meanNormal, "
-              "meanDepth, alpha, error");
+              "meanDepth, alpha, error, cryptoObject, cryptoMaterial");
     EXPECT_EQ(namesOf(layersOfFilms()), "error");
     EXPECT_EQ(findLayer("position")->channels,
               (std::vector<std::string>{"position.X", "position.Y", "position.Z"}));
     EXPECT_EQ(findLayer("Position"), nullptr);
+    EXPECT_EQ(findLayer("cryptoMaterial")->channels.size(), 12u);
+    EXPECT_EQ(findLayer("cryptoMaterial")->channels[0], "CryptoMaterial00.R");
+    EXPECT_EQ(findLayer("cryptoMaterial")->channels[11], "CryptoMaterial02.A");
     EXPECT_TRUE(hasSource(allLayers(), LayerSource::FirstHit));
     EXPECT_FALSE(hasSource(layersOfFilms(), LayerSource::FirstHit));
 }

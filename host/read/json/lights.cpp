@@ -7,6 +7,7 @@
 
 #include "mesh/mesh_builder.h"
 #include "read/json/color.h"
+#include "read/json/object_name.h"
 #include "read/json/polygons.h"
 #include "read/json/quadrics.h"
 #include "read/json/transform.h"
@@ -18,6 +19,7 @@ enum class LightType { kDisk, kTriangle, kQuad };
 
 JsonObjectType lightTypeOf(const char* name, const char* description, std::vector<JsonKey> keys) {
     keys.push_back(transformKey());
+    keys.push_back(objectNameKey());
     keys.push_back(JsonKey("radiance", radianceType(), "What it shines with.").in("W/(m^2 sr)"));
     keys.push_back(JsonKey("power", radianceType(), "All that it sends out, in place of radiance.")
                        .in("watts"));
@@ -81,6 +83,7 @@ Shape readLight(const JsonValue& value, size_t index, JsonContext& context) {
 
     Shape shape;
     shape.place = value.where();
+    shape.name = readObjectName(object, "light", index);
     shape.material = context.addMaterial(material);
     double sideArea = 0.0;
     if (type == LightType::kDisk) {

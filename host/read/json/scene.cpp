@@ -62,9 +62,11 @@ void readScene(const JsonObject& root, JsonContext& context) {
     }
     if (const auto materials = root.optional("materials"))
         readMaterials(*materials, context);
-    if (const auto shapes = root.optional("shapes"))
+    if (const auto shapes = root.optional("shapes")) {
+        size_t index = 0;
         for (const JsonValue& shape : shapes->array())
-            scene.shapes.push_back(readShape(shape, context));
+            scene.shapes.push_back(readShape(shape, index++, context));
+    }
     if (const auto lights = root.optional("lights")) {
         size_t index = 0;
         for (const JsonValue& light : lights->array())

@@ -7,6 +7,7 @@
 #include "base/names.h"
 #include "read/json/materials.h"
 #include "read/json/mesh.h"
+#include "read/json/object_name.h"
 #include "read/json/polygons.h"
 #include "read/json/quadrics.h"
 #include "read/json/transform.h"
@@ -21,7 +22,13 @@ JsonObjectType shapeTypeOf(const char* name, const char* description, std::vecto
     keys.insert(keys.begin(),
                 JsonKey("material", materialNameType(), "The shape's material.").required());
     keys.push_back(transformKey());
+    keys.push_back(objectNameKey());
     return chosenType(name, description, std::move(keys), std::move(rules));
+}
+
+std::vector<JsonKey> withName(std::vector<JsonKey> keys) {
+    keys.push_back(objectNameKey());
+    return keys;
 }
 
 /// In the order of ShapeType.
@@ -33,7 +40,8 @@ const JsonObjectTypes& shapeTypes() {
         shapeTypeOf("disk", "A flat disk.", diskKeys()),
         shapeTypeOf("triangle", "One triangle.", triangleKeys(PolygonUse::Shape)),
         shapeTypeOf("quad", "Two triangles.", quadKeys(PolygonUse::Shape)),
-        chosenType("mesh", "The polygons of a model's file.", meshKeys(), {meshMaterialRule()})};
+        chosenType("mesh", "The polygons of a model's file.", withName(meshKeys()),
+                   {meshMaterialRule()})};
     return types;
 }
 
@@ -52,11 +60,12 @@ void warnOfDisplacement(const Shape& shape, JsonContext& context) {
 
 JsonType shapeType() { return anyOf(shapeTypes(), "shape"); }
 
-Shape readShape(const JsonValue& value, JsonContext& context) {
+Shape readShape(const JsonValue& value, size_t index, JsonContext& context) {
     const auto type = static_cast<ShapeType>(readType(value, shapeTypes()));
     const JsonObject object(value, shapeTypes()[static_cast<size_t>(type)]);
     Shape shape;
     shape.place = value.where();
+    shape.name = readObjectName(object, shapeTypes()[static_cast<size_t>(type)].name, index);
     if (type == ShapeType::kMesh) {
         shape.geometry = readMesh(object, context);
         shape.file = object.required("file").text();

@@ -7,6 +7,7 @@ namespace calotype {
 
 /// An element of the scene file's "shapes".
 JsonType shapeType();
-Shape readShape(const JsonValue& value, JsonContext& context);
+/// `index` is that in the list of shapes, for the default of its name.
+Shape readShape(const JsonValue& value, size_t index, JsonContext& context);
 
 } // namespace calotype

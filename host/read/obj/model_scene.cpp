@@ -180,7 +180,8 @@ void addFloor(const ModelExtent& extent, const Camera& camera, ReadContext& cont
     Disk disk;
     disk.worldFromObject.translation = center;
     disk.radius = kFloorSize * glm::length(camera.position - center);
-    context.scene.shapes.push_back({disk, context.addMaterial(grey), "floor"});
+    context.scene.shapes.push_back(
+        {disk, context.addMaterial(grey), "floor", /*file=*/"", /*name=*/"floor"});
 }
 
 void addLight(const LightPlan& plan, const ModelExtent& extent, ReadContext& context) {
@@ -201,7 +202,7 @@ void addLight(const LightPlan& plan, const ModelExtent& extent, ReadContext& con
     quad.positions = {center - x + z, center + x + z, center + x - z, center - x - z};
     quad.triangles = {{{0, 1, 2}, {kNone, kNone, kNone}, index},
                       {{0, 2, 3}, {kNone, kNone, kNone}, index}};
-    context.scene.shapes.push_back({quad, index, plan.name});
+    context.scene.shapes.push_back({quad, index, plan.name, /*file=*/"", plan.name});
 }
 
 } // namespace
@@ -218,6 +219,7 @@ SceneAndNotes readModelScene(const std::string& path, const LoadOptions& options
     scene.render.maxBounces = kMaxBounces;
     scene.background = glm::dvec3(kBackground);
     scene.shapes.push_back(readModel(path, context));
+    scene.shapes.back().name = std::filesystem::path(path).filename().string();
 
     const Mesh& mesh = std::get<Mesh>(scene.shapes.front().geometry);
     const std::vector<glm::dvec3> points = pointsToShow(mesh, path, context);
