@@ -9,7 +9,6 @@
 
 #include "base/check.h"
 #include "film/error_estimate.h"
-#include "film/looks.h"
 #include "math/luminance.h"
 #include "math/square.h"
 
@@ -24,8 +23,7 @@ constexpr uint32_t kBoxRadius = 4;
 /// A denoiser spreads an error over its neighbours; the errors of tiles of this size, in pixels,
 /// count as independent of each other.
 constexpr uint32_t kTile = 16;
-constexpr double kNormalQuantile95 = 1.645; ///< one-sided
-constexpr size_t kLeastTiles = 8;           ///< for a bound
+constexpr size_t kLeastTiles = 8; ///< for a bound
 
 double luminanceOf(const glm::vec3& color) { return luminance(glm::dvec3(color)); }
 
@@ -105,81 +103,132 @@ TileMean meanOfTiles(const Plane& plane, uint32_t width, uint32_t height) {
     return result;
 }
 
-/// The replicas, and what one or all of them give without the denoiser.
+/// The replicas, and what one or all of them give without the denoiser. `left` is the replica that
+/// is left out, or count() for none.
 class Replicas {
 public:
     explicit Replicas(std::span<const ReplicaPicture> replicas) : replicas_(replicas) {
-        CALOTYPE_CHECK_LE(kLeastReplicas, replicas.size());
         for (const ReplicaPicture& replica : replicas) {
-            CALOTYPE_CHECK_LT(0.0, replica.samples);
             CALOTYPE_CHECK_EQ(replica.mean.width, width());
             CALOTYPE_CHECK_EQ(replica.mean.height, height());
-            samples_ += replica.samples;
+            CALOTYPE_CHECK_LT(0u, *std::ranges::min_element(replica.samples));
+            groupSizes_.resize(std::max<size_t>(groupSizes_.size(), replica.group + 1));
+            ++groupSizes_[replica.group];
         }
+        CALOTYPE_CHECK_LE(kLeastReplicas, *std::ranges::min_element(groupSizes_));
     }
 
     size_t count() const { return replicas_.size(); }
+    size_t countWithout(size_t left) const { return count() - (left < count() ? 1 : 0); }
     uint32_t width() const { return replicas_.front().mean.width; }
     uint32_t height() const { return replicas_.front().mean.height; }
-    const ReplicaPicture& operator[](size_t i) const { return replicas_[i]; }
-    double samples() const { return samples_; }
+    size_t pixels() const { return replicas_.front().mean.pixels.size(); }
 
-    /// The mean of all replicas but one; of all, if `left` is count().
     glm::dvec3 meanWithout(size_t left, size_t pixel) const {
-        glm::dvec3 sum(0.0);
-        for (size_t i = 0; i < count(); ++i)
-            if (i != left)
-                sum += replicas_[i].samples * glm::dvec3(replicas_[i].mean.pixels[pixel]);
-        return sum / samplesWithout(left);
+        return spreadWithout(colorsAt(pixel), pixel, left).mean;
     }
 
-    Image meanWithout(size_t left) const {
-        Image image(width(), height());
-        for (size_t pixel = 0; pixel < image.pixels.size(); ++pixel)
-            image.pixels[pixel] = glm::vec3(meanWithout(left, pixel));
-        return image;
-    }
-
-    /// Likewise, with the noise of that mean. The replica that is left out has no part in either.
+    /// The mean of all replicas but one, with its noise. The replica that is left out has no part
+    /// in either.
     NoisyImage pictureWithout(size_t left) const {
-        NoisyImage picture{meanWithout(left), Image(width(), height()), countWithout(left)};
-        const double divisor = static_cast<double>(countWithout(left) - 1) * samplesWithout(left);
-        for (size_t pixel = 0; pixel < picture.color.pixels.size(); ++pixel) {
-            const glm::dvec3 mean = meanWithout(left, pixel);
-            glm::dvec3 squares(0.0);
-            for (size_t i = 0; i < count(); ++i)
-                if (i != left) {
-                    const glm::dvec3 deviation = glm::dvec3(replicas_[i].mean.pixels[pixel]) - mean;
-                    squares += replicas_[i].samples * deviation * deviation;
-                }
-            picture.standardError.pixels[pixel] = glm::vec3(glm::sqrt(squares / divisor));
+        NoisyImage picture{Image(width(), height()), Image(width(), height()),
+                           countWithout(left) - groupSizes_.size() + 1};
+        for (size_t pixel = 0; pixel < pixels(); ++pixel) {
+            const Spread<glm::dvec3> spread = spreadWithout(colorsAt(pixel), pixel, left);
+            picture.color.pixels[pixel] = glm::vec3(spread.mean);
+            picture.standardError.pixels[pixel] = glm::vec3(glm::sqrt(spread.variance));
         }
         return picture;
     }
 
-    size_t countWithout(size_t left) const { return count() - (left < count() ? 1 : 0); }
-
-    double samplesWithout(size_t left) const {
-        return samples_ - (left < count() ? replicas_[left].samples : 0.0);
+    /// The luminances that the replicas have in a pixel.
+    std::vector<double> luminancesAt(size_t pixel) const {
+        std::vector<double> luminances;
+        luminances.reserve(count());
+        for (const ReplicaPicture& replica : replicas_)
+            luminances.push_back(luminanceOf(replica.mean.pixels[pixel]));
+        return luminances;
     }
 
-    /// The variance of the luminance of one sample, from the spread of all replicas but one.
-    double varianceWithout(size_t left, size_t pixel) const {
-        double sum = 0.0;
-        double squares = 0.0;
-        for (size_t i = 0; i < count(); ++i)
-            if (i != left) {
-                const double value = luminanceOf(replicas_[i].mean.pixels[pixel]);
-                sum += replicas_[i].samples * value;
-                squares += replicas_[i].samples * square(value);
-            }
-        const double spread = squares - square(sum) / samplesWithout(left);
-        return std::max(spread, 0.0) / static_cast<double>(countWithout(left) - 1);
+    /// The variance of the luminance of the mean of all replicas but one, from their spread.
+    double varianceOfMeanWithout(const std::vector<double>& luminances, size_t left,
+                                 size_t pixel) const {
+        return spreadWithout(luminances, pixel, left).variance;
+    }
+
+    /// That of one replica, from the spread of the others of its group. `left` is left out too,
+    /// where enough others remain.
+    double varianceOf(const std::vector<double>& luminances, size_t replica, size_t left,
+                      size_t pixel) const {
+        const uint32_t group = replicas_[replica].group;
+        const size_t both = groupSizes_[group] > kLeastReplicas ? left : replica;
+        return groupWithout(luminances, group, pixel, replica, both).variance /
+               replicas_[replica].samplesIn(pixel);
     }
 
 private:
+    /// Of some replicas in a pixel. Value: glm::dvec3 for colours, double for luminances.
+    template <typename Value>
+    struct Spread {
+        Value mean = Value(0.0);
+        Value variance = Value(0.0); ///< of the mean; of a group: of one sample
+        double samples = 0.0;
+    };
+
+    std::vector<glm::dvec3> colorsAt(size_t pixel) const {
+        std::vector<glm::dvec3> colors;
+        colors.reserve(count());
+        for (const ReplicaPicture& replica : replicas_)
+            colors.emplace_back(replica.mean.pixels[pixel]);
+        return colors;
+    }
+
+    size_t countWithout(uint32_t group, size_t left) const {
+        return groupSizes_[group] - (left < count() && replicas_[left].group == group ? 1 : 0);
+    }
+
+    /// Of the replicas of one group but one or two. A replica of n samples has a variance of s^2 /
+    /// n, so deviations are weighted by n.
+    template <typename Value>
+    Spread<Value> groupWithout(const std::vector<Value>& values, uint32_t group, size_t pixel,
+                               size_t left, size_t alsoLeft) const {
+        Spread<Value> spread;
+        const auto forEach = [&](const auto& take) {
+            for (size_t i = 0; i < count(); ++i)
+                if (i != left && i != alsoLeft && replicas_[i].group == group)
+                    take(replicas_[i].samplesIn(pixel), values[i]);
+        };
+        double freedom = -1.0;
+        forEach([&](double samples, const Value& mean) {
+            spread.mean += samples * mean;
+            spread.samples += samples;
+            freedom += 1.0;
+        });
+        spread.mean /= spread.samples;
+        forEach([&](double samples, const Value& mean) {
+            const Value deviation = mean - spread.mean;
+            spread.variance += samples * deviation * deviation;
+        });
+        spread.variance /= freedom;
+        return spread;
+    }
+
+    /// Of the mean of all replicas but one.
+    template <typename Value>
+    Spread<Value> spreadWithout(const std::vector<Value>& values, size_t pixel, size_t left) const {
+        Spread<Value> spread;
+        for (uint32_t group = 0; group < groupSizes_.size(); ++group) {
+            const auto ofGroup = groupWithout(values, group, pixel, left, left);
+            const double weight = static_cast<double>(countWithout(group, left)) /
+                                  static_cast<double>(countWithout(left));
+            spread.mean += weight * ofGroup.mean;
+            spread.variance += square(weight) * ofGroup.variance / ofGroup.samples;
+        }
+        return spread;
+    }
+
     std::span<const ReplicaPicture> replicas_;
-    double samples_ = 0.0;
+    std::vector<size_t> groupSizes_;
 };
 
 /// One denoised picture and its error. Of the pictures that were denoised without a replica, only
@@ -190,12 +239,9 @@ public:
     CrossValidation(std::span<const ReplicaPicture> replicas, Denoiser& denoiser,
                     const std::function<void(double)>& onProgress)
         : replicas_(replicas), denoiser_(denoiser), onProgress_(onProgress),
-          pixels_(replicas.front().mean.pixels.size()), errorSums_(pixels_) {
-        for (size_t i = 0; i < replicas_.count(); ++i) {
+          pixels_(replicas.front().mean.pixels.size()) {
+        for (size_t i = 0; i < replicas_.count(); ++i)
             denoised_.push_back(luminancesOf(denoisedWithout(i)));
-            for (size_t pixel = 0; pixel < pixels_; ++pixel)
-                errorSums_[pixel] += squaredError(denoised_[i][pixel], i, pixel);
-        }
     }
 
     DenoisedPicture run() const {
@@ -221,23 +267,27 @@ private:
     }
 
     /// An unbiased estimate of the squared error of a luminance by a replica that had no part in
-    /// it: the squared distance from that replica, less its own variance.
-    double squaredError(double value, size_t judge, size_t pixel) const {
-        const ReplicaPicture& replica = replicas_[judge];
-        return square(value - luminanceOf(replica.mean.pixels[pixel])) -
-               replicas_.varianceWithout(judge, pixel) / replica.samples;
+    /// it: the squared distance from that replica, less its own variance. Nothing is taken from
+    /// `left`, but for the luminance.
+    double squaredError(double value, const std::vector<double>& luminances, size_t judge, size_t left,
+                        size_t pixel) const {
+        return square(value - luminances[judge]) -
+               replicas_.varianceOf(luminances, judge, left, pixel);
     }
 
     /// The weights of the samples in the blend of the denoised mean of all replicas but one with
     /// that mean. The one that is left out will judge the blend, so it must not choose the weights.
     Plane weightsOfSamples(size_t left) const {
-        const bool isJudged = left < replicas_.count();
-        Plane errors = errorSums_;
+        const auto judges = static_cast<double>(replicas_.countWithout(left));
+        Plane errors(pixels_);
         Plane variances(pixels_);
         for (size_t i = 0; i < pixels_; ++i) {
-            errors[i] -= isJudged ? squaredError(denoised_[left][i], left, i) : 0.0;
-            errors[i] /= static_cast<double>(replicas_.countWithout(left));
-            variances[i] = replicas_.varianceWithout(left, i) / replicas_.samplesWithout(left);
+            const std::vector<double> luminances = replicas_.luminancesAt(i);
+            for (size_t judge = 0; judge < replicas_.count(); ++judge)
+                if (judge != left)
+                    errors[i] +=
+                        squaredError(denoised_[judge][i], luminances, judge, left, i) / judges;
+            variances[i] = replicas_.varianceOfMeanWithout(luminances, left, i);
         }
         errors = boxMean(errors, replicas_.width(), replicas_.height());
         variances = boxMean(variances, replicas_.width(), replicas_.height());
@@ -261,16 +311,13 @@ private:
                 const double denoised = denoised_[judge][i];
                 const double samples = luminance(replicas_.meanWithout(judge, i));
                 const double blended = denoised + weights[i] * (samples - denoised);
-                shares[i] += squaredError(blended, judge, i) /
+                shares[i] += squaredError(blended, replicas_.luminancesAt(i), judge, judge, i) /
                              (square(luminanceOf(color.pixels[i])) + floor) /
                              static_cast<double>(replicas_.count());
             }
         }
         const TileMean share = meanOfTiles(shares, color.width, color.height);
-        const auto above = [&](double quantile) {
-            return relativeError(std::max(share.mean + quantile * share.standardError, 0.0));
-        };
-        return DenoisedError{above(0.0), above(kNormalQuantile95), above(kSharedQuantile)};
+        return denoisedErrorOf(share.mean, share.standardError);
     }
 
     Replicas replicas_;
@@ -278,7 +325,6 @@ private:
     const std::function<void(double)>& onProgress_;
     size_t pixels_;
     std::vector<Plane> denoised_; ///< luminances of the mean of the others, denoised, per replica
-    Plane errorSums_;             ///< sums of the squaredErrors of `denoised_`
 };
 
 } // namespace

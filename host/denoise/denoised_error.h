@@ -12,4 +12,7 @@ struct DenoisedError {
     double upperBound = 0.0;
 };
 
+/// From an unbiased estimate of the mean of relativeShare, and its standard error.
+DenoisedError denoisedErrorOf(double share, double standardError);
+
 } // namespace calotype

@@ -11,7 +11,7 @@ namespace calotype {
 struct NoisyImage {
     Image color;         ///< radiance, W/(m^2 sr), finite
     Image standardError; ///< of each channel of `color`; it has no pixels if it is not known
-    size_t replicas = 0; ///< that `standardError` is of, >= 2
+    size_t replicas = 0; ///< 1 more than the degrees of freedom of `standardError`, >= 2
 };
 
 /// Removes the noise of pictures of one scene, seen by one camera.

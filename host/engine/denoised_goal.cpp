@@ -1,32 +1,36 @@
 #include "engine/denoised_goal.h"
 
 #include <algorithm>
+#include <chrono>
 #include <exception>
 #include <utility>
 
 #include "base/error.h"
-#include "base/stopwatch.h"
 #include "math/square.h"
 
 namespace calotype {
 
-std::optional<DenoisedError> DenoisedGoal::errorOf(const Film& film,
-                                                   const PictureDenoiser::OnProgress& onProgress) {
-    if (!isDue(film.samplesPerPixel()))
+double DenoisedGoal::secondsNow() {
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    return std::chrono::duration<double>(now).count();
+}
+
+std::optional<DenoisedError> DenoisedGoal::errorOf(const FilmView& film) {
+    if (!isDue(film.samples()))
         return std::nullopt;
-    const Clock::time_point before = Clock::now();
+    const double before = now_();
     picture_.reset();
     try {
-        picture_ = denoiser_.run(film, film.picture(), features_, threads_, onProgress);
+        picture_ = denoise_(film);
     } catch (const Interrupted&) {
         return std::nullopt;
     } catch (const std::exception&) {
         failure_ = std::current_exception();
         return std::nullopt;
     }
-    samples_ = film.samplesPerPixel();
-    lastEnd_ = Clock::now();
-    lastSeconds_ = secondsSince(before);
+    samples_ = film.samples();
+    lastEnd_ = now_();
+    lastSeconds_ = lastEnd_ - before;
     seconds_ += lastSeconds_;
     return picture_->error;
 }
@@ -34,7 +38,7 @@ std::optional<DenoisedError> DenoisedGoal::errorOf(const Film& film,
 bool DenoisedGoal::isDue(uint64_t samples) const {
     if (!picture_)
         return !failure_;
-    if (secondsSince(lastEnd_) < lastSeconds_)
+    if (now_() - lastEnd_ < lastSeconds_)
         return false;
     if (!picture_->error)
         return true;
@@ -45,8 +49,8 @@ bool DenoisedGoal::isDue(uint64_t samples) const {
            static_cast<double>(samples_) * std::min(growth, kMostGrowth);
 }
 
-std::optional<CleanPicture> DenoisedGoal::take(const Film& film) {
-    if (!picture_ || samples_ != film.samplesPerPixel())
+std::optional<CleanPicture> DenoisedGoal::take(const FilmView& film) {
+    if (!picture_ || samples_ != film.samples())
         return std::nullopt;
     return std::exchange(picture_, std::nullopt);
 }

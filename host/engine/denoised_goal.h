@@ -1,12 +1,12 @@
 #pragma once
 
-#include <chrono>
 #include <exception>
+#include <functional>
 #include <optional>
+#include <utility>
 
-#include "engine/picture_denoiser.h"
-#include "film/film.h"
-#include "image/denoiser_features.h"
+#include "denoise/film_view.h"
+#include "engine/clean_picture.h"
 
 namespace calotype {
 
@@ -14,20 +14,20 @@ namespace calotype {
 /// denoising is good enough.
 class DenoisedGoal {
 public:
-    /// Keeps references. `threads` 0: all cores.
-    DenoisedGoal(double targetError, const PictureDenoiser& denoiser,
-                 const std::optional<DenoiserFeatures>& features, uint32_t threads)
-        : targetError_(targetError), denoiser_(denoiser), features_(features), threads_(threads) {}
+    /// Denoises the whole blocks of a film. May throw Interrupted to end the work.
+    using Denoise = std::function<CleanPicture(const FilmView&)>;
+
+    /// `now` returns seconds since any fixed moment.
+    DenoisedGoal(double targetError, Denoise denoise, std::function<double()> now = secondsNow)
+        : targetError_(targetError), denoise_(std::move(denoise)), now_(std::move(now)) {}
 
     /// The error of the film after denoising. None where it is most likely above the target, until
     /// as much time has passed as denoising took before, where nobody can state the error, or if
-    /// denoising fails: then the render should end. `onProgress` as for PictureDenoiser::run; it
-    /// may throw Interrupted to end the work.
-    std::optional<DenoisedError> errorOf(const Film& film,
-                                         const PictureDenoiser::OnProgress& onProgress);
+    /// denoising fails: then the render should end.
+    std::optional<DenoisedError> errorOf(const FilmView& film);
 
     /// The picture of the last errorOf, if the film had as many samples as now.
-    std::optional<CleanPicture> take(const Film& film);
+    std::optional<CleanPicture> take(const FilmView& film);
 
     /// Why denoising failed; null if it did not.
     std::exception_ptr failure() const { return failure_; }
@@ -35,21 +35,20 @@ public:
     double seconds() const { return seconds_; } ///< of denoising, all together
 
 private:
-    using Clock = std::chrono::steady_clock;
+    static double secondsNow();
 
     /// Errors fall with the root of the samples, or slower.
     bool isDue(uint64_t samples) const;
 
     double targetError_;
-    const PictureDenoiser& denoiser_;
-    const std::optional<DenoiserFeatures>& features_;
-    uint32_t threads_;
+    Denoise denoise_;
+    std::function<double()> now_;
     std::optional<CleanPicture> picture_;
     std::exception_ptr failure_;
-    uint64_t samples_ = 0; ///< per pixel, of `picture_`
+    uint64_t samples_ = 0; ///< of all pixels, of `picture_`
     double seconds_ = 0.0;
     double lastSeconds_ = 0.0; ///< of denoising `picture_`
-    Clock::time_point lastEnd_;
+    double lastEnd_ = 0.0;     ///< by now_
 };
 
 } // namespace calotype

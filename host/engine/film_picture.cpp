@@ -7,6 +7,7 @@
 
 #include "base/available_memory.h"
 #include "base/error.h"
+#include "denoise/film_view.h"
 #include "engine/denoising_memory.h"
 #include "engine/exr_metadata.h"
 #include "film/develop.h"
@@ -27,7 +28,7 @@ CleanPicture denoiseFilm(const PictureDenoiser& denoiser, const std::string& pat
     if (const std::string why = denoiser.whyTooFewSamples(kept.film); !why.empty())
         throw SceneError(path, "the film cannot be denoised: " + why);
     const uint64_t bytes =
-        denoisingBytes(denoiser.kind(), kept.film.pixelCount(), replicaCount(kept.film));
+        denoisingBytes(denoiser.kind(), kept.film.pixelCount(), FilmView(kept.film).replicaCount());
     if (const std::string why = whyNoRoom(bytes, availableMemory()); !why.empty())
         throw SceneError(path, "the film cannot be denoised here: that " + why +
                                    "; denoise it on a machine with more memory");

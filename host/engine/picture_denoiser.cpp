@@ -1,32 +1,21 @@
 #include "engine/picture_denoiser.h"
 
-#include <algorithm>
 #include <utility>
-#include <vector>
 
 #include "base/check.h"
 #include "base/error.h"
 #include "denoise/oidn_denoiser.h"
 #include "denoise/statistical_denoiser.h"
 #include "engine/devices.h"
-#include "film/error_estimate.h"
 #include "render/statistical_pass.h"
 #include "shared/limits.h"
 
 namespace calotype {
 namespace {
 
-std::vector<ReplicaPicture> replicasOf(const Film& film) {
-    std::vector<ReplicaPicture> replicas;
-    for (uint32_t i = 0; i < shared::kReplicas; ++i)
-        if (const uint64_t samples = film.samplesOfReplica(i))
-            replicas.push_back({film.replicaPicture(i), static_cast<double>(samples)});
-    return replicas;
-}
-
 /// Why the error of a denoised film is not stated; empty if it is.
-std::string whyUnstatedFor(const Film& film, const std::optional<DenoisedError>& error) {
-    const auto ofSamples = estimateError(film); // none for a black film, too
+std::string whyUnstatedFor(const FilmView& film, const std::optional<DenoisedError>& error) {
+    const auto ofSamples = film.error(); // none for a black film, too
     const bool hasAll = film.samplesPerPixel() >= shared::kReplicas * shared::kSamplesPerBlock;
     const Trust otherwise = hasAll ? Trust::RareLight : Trust::TooFewSamples;
     switch (ofSamples ? ofSamples->trust() : otherwise) {
@@ -42,13 +31,6 @@ std::string whyUnstatedFor(const Film& film, const std::optional<DenoisedError>&
 
 } // namespace
 
-uint32_t replicaCount(const Film& film) {
-    uint32_t count = 0;
-    for (uint32_t i = 0; i < shared::kReplicas; ++i)
-        count += film.samplesOfReplica(i) > 0 ? 1 : 0;
-    return count;
-}
-
 PictureDenoiser::PictureDenoiser(DenoiserKind kind, const std::string& library,
                                  DeviceKeeper* device)
     : kind_(kind), device_(device) {
@@ -62,26 +44,25 @@ PictureDenoiser::PictureDenoiser(DenoiserKind kind, const std::string& library,
     }
 }
 
-std::string PictureDenoiser::whyTooFewSamples(const Film& film) const {
-    if (!needsReplicas() || replicaCount(film) >= kLeastReplicas)
+std::string PictureDenoiser::whyTooFewSamples(const FilmView& film) const {
+    if (!needsReplicas() || film.hasEnoughReplicas())
         return "";
-    return "the statistical denoiser needs at least " +
-           std::to_string(kLeastReplicas * shared::kSamplesPerBlock) + " samples per pixel";
+    return "the statistical denoiser needs at least " + std::to_string(film.leastSamples()) +
+           " samples per pixel";
 }
 
-CleanPicture PictureDenoiser::run(const Film& film, const Image& noisy,
+CleanPicture PictureDenoiser::run(const FilmView& film, const Image& noisy,
                                   const std::optional<DenoiserFeatures>& features, uint32_t threads,
                                   const OnProgress& onProgress) const {
     if (!whyTooFewSamples(film).empty())
         return {noisy, "", {}, whyUnstatedFor(film, {})};
-    const std::vector<ReplicaPicture> replicas = replicasOf(film);
-    if (replicas.size() < kLeastReplicas) {
+    if (!film.hasEnoughReplicas()) {
         CleanPicture picture = run(noisy, features, threads);
         picture.whyUnstated = whyUnstatedFor(film, {});
         return picture;
     }
     const auto denoiser = denoiserFor(features, film.picture(), threads);
-    DenoisedPicture picture = denoise(replicas, *denoiser, onProgress);
+    DenoisedPicture picture = denoise(film.replicas(), *denoiser, onProgress);
     std::string whyUnstated = whyUnstatedFor(film, picture.error);
     const bool isStated = whyUnstated.empty();
     return {std::move(picture.color), denoiser->name(), isStated ? picture.error : std::nullopt,

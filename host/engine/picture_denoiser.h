@@ -7,24 +7,14 @@
 #include <string>
 
 #include "denoise/cross_validation.h"
+#include "denoise/film_view.h"
 #include "denoise/oidn_library.h"
+#include "engine/clean_picture.h"
 #include "engine/device_session.h"
-#include "film/film.h"
 #include "image/denoiser_features.h"
 #include "settings/denoiser_kind.h"
 
 namespace calotype {
-
-/// A picture after denoising.
-struct CleanPicture {
-    Image color;
-    std::string denoiser; ///< with its version
-    std::optional<DenoisedError> error;
-    std::string whyUnstated; ///< why there is no error, in words such as "too few samples to tell"
-};
-
-/// The number of the film's replicas that have samples.
-uint32_t replicaCount(const Film& film);
 
 /// Denoises pictures by the denoiser that the settings name.
 class PictureDenoiser {
@@ -42,14 +32,14 @@ public:
     bool needsReplicas() const { return kind_ == DenoiserKind::Statistical; }
 
     /// Why the film has too few samples; empty if it has enough.
-    std::string whyTooFewSamples(const Film& film) const;
+    std::string whyTooFewSamples(const FilmView& film) const;
 
     /// Denoises a film that keeps the colours of replicas. `noisy` is its picture with the samples
     /// of an unfinished block: where the replicas are too few for an error, it is denoised instead,
     /// or returned as it is if whyTooFewSamples says so. `features` are those of the pixels,
     /// if they are known; `threads` 0: all cores. `onProgress` is called with the share done in
     /// [0, 1]; it may throw to end the work. Throws Error.
-    CleanPicture run(const Film& film, const Image& noisy,
+    CleanPicture run(const FilmView& film, const Image& noisy,
                      const std::optional<DenoiserFeatures>& features, uint32_t threads,
                      const OnProgress& onProgress = {}) const;
 

@@ -72,7 +72,7 @@ public:
         if (settings_.denoiser != DenoiserKind::Off)
             denoiser.emplace(settings_.denoiser, device_.options().denoiserLibrary, &device_);
         FilmKeeper keeper(job_.film, labelOf(scene_, settings_), settings_.crop,
-                          denoiser ? ReplicaDetail::Color : ReplicaDetail::Luminance, folders,
+                          detailFor(settings_.denoiser), folders,
                           [&](const std::string& warning) { warn(warning); });
         const LayerList& layers = job_.output.layers;
         const bool wantsHits = hasSource(layers, LayerSource::FirstHit);
@@ -104,8 +104,9 @@ public:
         result_.plan = planFor(*session);
         std::optional<DenoisedGoal> denoisedGoal;
         if (denoiser && settings_.targetError)
-            denoisedGoal.emplace(*settings_.targetError, *denoiser, keeper.features(),
-                                 device_.options().threads);
+            denoisedGoal.emplace(*settings_.targetError, [&](const FilmView& film) {
+                return clean(*denoiser, film, film.picture(), keeper.features());
+            });
         PreviewDenoiser previewDenoiser(denoiser ? &*denoiser : nullptr, keeper.features(),
                                         device_.options().threads);
         result_.ending = render(*session, keeper, denoisedGoal, [&](double interval) {
@@ -201,9 +202,7 @@ private:
         RenderGoal goal;
         goal.targetError = plan.targetError;
         if (denoisedGoal)
-            goal.denoisedError = [&](const Film& film) {
-                return denoisedGoal->errorOf(film, [&](double done) { reportDenoising(done); });
-            };
+            goal.denoisedError = [&](const FilmView& film) { return denoisedGoal->errorOf(film); };
         if (plan.seconds)
             goal.deadline = start + std::chrono::duration_cast<Clock::duration>(
                                         std::chrono::duration<double>(*plan.seconds));
@@ -261,6 +260,13 @@ private:
         report("denoising", done);
     }
 
+    /// `noisy` as for PictureDenoiser::run. Throws Interrupted at a stop.
+    CleanPicture clean(const PictureDenoiser& denoiser, const FilmView& film, const Image& noisy,
+                       const std::optional<DenoiserFeatures>& features) const {
+        return denoiser.run(film, noisy, features, device_.options().threads,
+                            [&](double done) { reportDenoising(done); });
+    }
+
     /// Denoises the picture, unless the render is stopped: denoising takes long. Returns why it
     /// failed, if it did.
     std::exception_ptr denoisePicture(const PictureDenoiser& denoiser,
@@ -273,7 +279,8 @@ private:
         try {
             if (result_.ending == RenderEnding::Stopped)
                 throw Interrupted();
-            const std::string why = denoiser.whyTooFewSamples(*session.evenFilm());
+            const FilmView film = session.filmView();
+            const std::string why = denoiser.whyTooFewSamples(film);
             if (!why.empty()) {
                 warn("the picture is not denoised: " + why);
                 return nullptr;
@@ -281,12 +288,10 @@ private:
             if (callbacks_.onSamples)
                 callbacks_.onSamples(result_.plan, result_.totals);
             reportDenoising(0.0);
-            const Film& film = *session.evenFilm();
             if (goal)
                 clean_ = goal->take(film);
             if (!clean_)
-                clean_ = denoiser.run(film, session.picture(), features, device_.options().threads,
-                                      [&](double done) { reportDenoising(done); });
+                clean_ = clean(denoiser, film, session.picture(), features);
         } catch (const Interrupted&) {
             result_.ending = RenderEnding::Stopped;
             warn("the picture is not denoised, because the render was stopped");

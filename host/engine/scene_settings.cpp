@@ -88,9 +88,6 @@ void requireRenderable(const RenderSettings& settings, const DeviceOptions& devi
         throw SettingError("time", "is not above 0, or is above 1e9 seconds");
     if (settings.isAdaptive && settings.firstSample != 0)
         throwSamplesOfAdaptive();
-    if (settings.isAdaptive && settings.denoiser != DenoiserKind::Off)
-        throw SettingError("denoise", "needs as many samples in every pixel, and --adaptive gives "
-                                      "some more than others; leave out one of them");
     if (settings.targetError && settings.denoiser != DenoiserKind::Off &&
         !canStateError(settings.crop.width, settings.crop.height))
         throw SettingError("target_error",

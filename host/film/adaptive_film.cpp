@@ -16,7 +16,8 @@ constexpr uint32_t kFirstSurveyBlocks = AdaptiveFilm::kReplicasPerHalf;
 
 } // namespace
 
-AdaptiveFilm::AdaptiveFilm(uint32_t width, uint32_t height, double unit, bool hasAlpha)
+AdaptiveFilm::AdaptiveFilm(uint32_t width, uint32_t height, double unit, ReplicaDetail detail,
+                           bool hasAlpha)
     : width_(width), height_(height), unit_(unit), luminances_(size_t{width} * height * kReplicas) {
     CALOTYPE_CHECK_EQ(unit, filmUnit(unit));
     for (Half& half : halves_) {
@@ -24,6 +25,8 @@ AdaptiveFilm::AdaptiveFilm(uint32_t width, uint32_t height, double unit, bool ha
         half.hiddenSamples = FixedPointArray(hasAlpha ? size_t{width} * height : 0);
         half.blocks.resize(size_t{width} * height);
     }
+    if (detail == ReplicaDetail::Color)
+        replicaColors_ = FixedPointArray(kReplicas * Film::kChannels * pixelCount());
     CALOTYPE_CHECK_LT(0u, pixelCount());
 }
 
@@ -49,7 +52,7 @@ void AdaptiveFilm::addBlock(uint32_t block, std::span<const glm::vec4> blockSums
 
 void AdaptiveFilm::addTerms(uint32_t block, std::span<const glm::vec4> blockSums,
                             std::span<const uint8_t> isLeftOut) {
-    const size_t firstLuminance = block % kReplicas * pixelCount();
+    const size_t firstOfReplica = block % kReplicas * pixelCount();
     FixedPointArray& hiddenSamples = halves_[block % kHalves].hiddenSamples;
     FilmTerms terms;
     std::vector<FixedPoint> hidden;
@@ -67,7 +70,9 @@ void AdaptiveFilm::addTerms(uint32_t block, std::span<const glm::vec4> blockSums
         if (hiddenSamples.size() > 0)
             hiddenSamples.add(first, hidden);
         halves_[block % kHalves].colors.add(Film::kChannels * first, terms.colors());
-        luminances_.add(firstLuminance + first, terms.luminances());
+        luminances_.add(firstOfReplica + first, terms.luminances());
+        if (replicaColors_.size() > 0)
+            replicaColors_.add(Film::kChannels * (firstOfReplica + first), terms.colors());
     }
 }
 
@@ -165,6 +170,18 @@ std::vector<float> AdaptiveFilm::alpha(uint32_t half, std::span<const glm::vec4>
         alpha[i] = count > 0.0 ? static_cast<float>(shares / count) : 0.0f;
     }
     return alpha;
+}
+
+Image AdaptiveFilm::replicaPicture(uint32_t replica) const {
+    CALOTYPE_CHECK_LT(replica, kReplicas);
+    CALOTYPE_CHECK_LT(size_t{0}, replicaColors_.size());
+    Image image(width_, height_);
+    for (size_t i = 0; i < pixelCount(); ++i)
+        if (const uint64_t samples = samplesOfReplica(replica, i))
+            image.pixels[i] =
+                glm::vec3(unit_ / static_cast<double>(samples) *
+                          colorSum(replicaColors_, Film::kChannels * (replica * pixelCount() + i)));
+    return image;
 }
 
 } // namespace calotype

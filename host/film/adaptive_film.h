@@ -33,7 +33,8 @@ public:
 
     /// Black, of width * height > 0 pixels; `unit` is a power of two, as filmUnit gives it.
     /// `hasAlpha`: the background is hidden from the camera.
-    AdaptiveFilm(uint32_t width, uint32_t height, double unit, bool hasAlpha = false);
+    AdaptiveFilm(uint32_t width, uint32_t height, double unit,
+                 ReplicaDetail detail = ReplicaDetail::Luminance, bool hasAlpha = false);
 
     /// Adds a block to all pixels that are not left out (a byte for each pixel, 0 or 1). It must be
     /// their next block of its half. Sums and losses are as for Film::addBlock.
@@ -49,6 +50,9 @@ public:
     /// empty if the film has no alpha.
     std::vector<float> alpha(uint32_t half = 0, std::span<const glm::vec4> partialBlock = {},
                              std::span<const uint8_t> isLeftOut = {}) const;
+
+    /// The radiance of one replica, over whole blocks. Needs ReplicaDetail::Color.
+    Image replicaPicture(uint32_t replica) const;
 
     uint32_t width() const { return width_; }
     uint32_t height() const { return height_; }
@@ -91,6 +95,8 @@ private:
     double unit_;
     std::array<Half, kHalves> halves_;
     FixedPointArray luminances_; ///< those of all pixels for replica 0, 1, ...
+    /// R, G and B of all pixels for replica 0, 1, ...; empty with ReplicaDetail::Luminance.
+    FixedPointArray replicaColors_;
     uint64_t samples_ = 0;
     uint32_t firstSurvey_ = 0; ///< lowest level that is kept
     FilmLosses losses_;

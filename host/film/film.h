@@ -16,6 +16,7 @@
 #include "film/fixed_point.h"
 #include "film/fixed_point_array.h"
 #include "image/image.h"
+#include "settings/denoiser_kind.h"
 #include "shared/limits.h"
 
 namespace calotype {
@@ -27,6 +28,11 @@ double filmUnit(double maxRadiance);
 /// What a film keeps of each replica: its luminance, by which errors are estimated, or also its
 /// colour, by which denoised pictures are judged.
 enum class ReplicaDetail : uint8_t { Luminance, Color };
+
+/// What pictures need that this denoiser makes.
+constexpr ReplicaDetail detailFor(DenoiserKind denoiser) {
+    return denoiser == DenoiserKind::Off ? ReplicaDetail::Luminance : ReplicaDetail::Color;
+}
 
 /// The samples of a picture so far, summed per pixel and channel in fixed point of 128 bits, 64 of
 /// them below one unit; also the luminance of each replica. So films are bit for bit the same

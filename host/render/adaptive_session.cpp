@@ -41,7 +41,7 @@ AdaptiveSession::AdaptiveSession(BlockTracer& tracer, const RenderSettings& sett
                                  double maxRadiance)
     : tracer_(tracer), settings_(settings),
       film_(settings.crop.width, settings.crop.height, filmUnit(maxRadiance),
-            settings.transport.hidesBackground),
+            detailFor(settings.denoiser), settings.transport.hidesBackground),
       passes_(tracer, totals_) {}
 
 RenderEnding AdaptiveSession::run(const RenderObserver& observer, uint32_t /*passSamples*/,
@@ -110,7 +110,7 @@ bool AdaptiveSession::isGoodEnough(const RenderGoal& goal) {
     if (!goal.targetError || totals_.samplesPerPixel < nextLook_)
         return false;
     nextLook_ = lookAfter(totals_.samplesPerPixel);
-    return isReached(goal, error());
+    return goal.denoisedError ? isReachedDenoised(goal, film_, totals_) : isReached(goal, error());
 }
 
 std::optional<RenderEnding> AdaptiveSession::renderBlock(uint32_t block,

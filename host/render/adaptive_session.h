@@ -40,6 +40,7 @@ public:
         return calotype::channelsOf(layer, film_);
     }
 
+    FilmView filmView() const override { return film_; }
     const AdaptiveFilm& film() const { return film_; }
 
 private:

@@ -43,4 +43,15 @@ inline bool isReached(const RenderGoal& goal, const std::optional<ErrorEstimate>
            error->upperBound() <= *goal.targetError;
 }
 
+/// Likewise by the error after denoising, which `totals` take over. Needs a goal with
+/// denoisedError.
+inline bool isReachedDenoised(const RenderGoal& goal, const FilmView& film, RenderTotals& totals) {
+    const std::optional<DenoisedError> error = goal.denoisedError(film);
+    if (!error)
+        return false;
+    totals.denoised = error;
+    totals.denoisedSamples = film.samplesPerPixel();
+    return error->upperBound <= *goal.targetError;
+}
+
 } // namespace calotype

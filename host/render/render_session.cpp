@@ -36,7 +36,7 @@ RenderSession::RenderSession(BlockTracer& tracer, const RenderSettings& settings
                              double maxRadiance)
     : RenderSession(tracer, settings,
                     Film(settings.crop.width, settings.crop.height, filmUnit(maxRadiance),
-                         ReplicaDetail::Luminance, settings.transport.hidesBackground)) {}
+                          detailFor(settings.denoiser), settings.transport.hidesBackground)) {}
 
 RenderEnding RenderSession::run(const RenderObserver& observer, uint32_t passSamples,
                                 const RenderGoal& goal) {
@@ -111,14 +111,7 @@ const std::optional<ErrorEstimate>& RenderSession::error() {
 bool RenderSession::isGoodEnough(const RenderGoal& goal) {
     if (!goal.targetError || !isLook(film_.samplesPerPixel()))
         return false;
-    if (!goal.denoisedError)
-        return isReached(goal, error());
-    const std::optional<DenoisedError> denoised = goal.denoisedError(film_);
-    if (!denoised)
-        return false;
-    totals_.denoised = denoised;
-    totals_.denoisedSamples = film_.samplesPerPixel();
-    return denoised->upperBound <= *goal.targetError;
+    return goal.denoisedError ? isReachedDenoised(goal, film_, totals_) : isReached(goal, error());
 }
 
 Image RenderSession::picture() {

@@ -36,7 +36,7 @@ public:
         return calotype::channelsOf(layer, film_);
     }
 
-    const Film* evenFilm() const override { return &film_; }
+    FilmView filmView() const override { return film_; }
     const Film& film() const { return film_; }
 
 private:

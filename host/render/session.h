@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "denoise/denoised_error.h"
+#include "denoise/film_view.h"
 #include "image/image.h"
 #include "image/layer.h"
 #include "image/picture.h"
@@ -15,8 +16,6 @@
 
 namespace calotype {
 
-class Film;
-
 /// What ends a render before it has all its samples.
 struct RenderGoal {
     /// The render ends when ErrorEstimate::upperBound of a trusted estimate is at most this. It is
@@ -24,9 +23,8 @@ struct RenderGoal {
     /// divided.
     std::optional<double> targetError;
     /// Where it is set: the error that is compared with targetError in place of the film's own
-    /// estimate; none if it is not known yet. Only for sessions of which all pixels have the same
-    /// samples.
-    std::function<std::optional<DenoisedError>(const Film&)> denoisedError;
+    /// estimate; none if it is not known yet.
+    std::function<std::optional<DenoisedError>(const FilmView&)> denoisedError;
     std::optional<std::chrono::steady_clock::time_point> deadline;
 };
 
@@ -68,8 +66,8 @@ public:
     virtual const std::optional<ErrorEstimate>& error() = 0;
     virtual std::vector<PixelError> pixelErrors() const = 0;
 
-    /// The whole blocks, if all pixels have the same samples; else null.
-    virtual const Film* evenFilm() const { return nullptr; }
+    /// The whole blocks.
+    virtual FilmView filmView() const = 0;
 
     /// Also of the whole blocks: the channels of a layer that can be made from a film.
     virtual std::vector<Channel> channelsOf(const Layer& layer) const = 0;

@@ -27,7 +27,7 @@ struct RenderSettings {
     std::optional<BvhBuilder> bvh = {};              ///< none: the quickest for the samples
     /// Pixels with more error get more samples; firstSample must be 0.
     bool isAdaptive = false;
-    /// What removes the noise of the finished picture; not with isAdaptive.
+    /// What removes the noise of the finished picture.
     DenoiserKind denoiser = DenoiserKind::Off;
     bool compilesEverything = false; ///< the kernel with all features, not only those of the scene
     /// The render ends when ErrorEstimate::upperBound is at most this, in (0, 1).

@@ -45,8 +45,28 @@ TEST_F(DenoiseTest, ATargetNeedsAPictureLargeEnoughToJudge) {
                   "8 tiles of 16 x 16 pixels");
 }
 
-TEST_F(DenoiseTest, DoesNotGoWithAdaptiveSampling) {
-    expectFailure(render({"-o", picture_, "--adaptive"}), 2, "--adaptive");
+// By the error of the denoised picture, and of all samples; too few of them are said to be so.
+TEST_F(DenoiseTest, GoesWithAdaptiveSampling) {
+    scene_ = std::string(kProjectFolder) + "/scenes/cornell-box.json"; // whose error is trusted
+    for (const std::vector<std::string>& end :
+         {std::vector<std::string>{"--spp", "256"}, {"--target-error", "0.9"}}) {
+        std::vector<std::string> arguments = {"-o",    picture_,  "--adaptive", "--size",
+                                              "48x48", "--stats", stats_};
+        arguments.insert(arguments.end(), end.begin(), end.end());
+        const ProgramResult result = render(arguments, withFakeDenoiser());
+        ASSERT_EQ(result.exitCode, 0) << result.errors;
+        const auto json = statistics();
+        EXPECT_EQ(json["adaptive"], true);
+        EXPECT_EQ(json["denoise"], "oidn");
+        EXPECT_LT(json["denoised_error"], json["error"]["relative"]) << result.errors;
+        EXPECT_EQ(json["ended_by"], end[0] == "--spp" ? "samples" : "target-error");
+        EXPECT_EQ(readExrPicture(picture_).channels.size(), 3u) << "the layer noisy";
+    }
+    const ProgramResult few = runProgram({"render", scene_, "-o", picture_, "--adaptive", "--size",
+                                          "16x16", "--denoise", "statistical", "--spp", "64"});
+    EXPECT_EQ(few.exitCode, 0) << few.errors;
+    EXPECT_NE(few.errors.find("needs at least 96 samples per pixel"), std::string::npos)
+        << few.errors;
 }
 
 // The scene's choice, which the option overrides.
@@ -67,7 +87,6 @@ TEST_F(DenoiseTest, TheSceneCanAskForIt) {
     EXPECT_EQ(statistics()["denoise"], "off");
     EXPECT_EQ(readExrPicture(picture_).channels.size(), 0u);
     expectFailure(runProgram(arguments, nowhere), 2, "--denoise off renders without");
-    expectFailure(runProgram(with({"--adaptive"}), withFakeDenoiser()), 2, "--denoise off");
     expectFailure(runProgram({"render", scene_, "-o", picture_, "--set", "/render/denoise=1"}), 3,
                   "/render/denoise");
 }

@@ -57,11 +57,13 @@ private:
 /// Pictures of one scene, of a square size.
 class DenoisedPictures {
 public:
-    DenoisedPictures(const std::string& scene, uint32_t side, DenoiserKind kind)
+    /// With adaptive sampling twice the samples: the first 128 are the same in all pixels.
+    DenoisedPictures(const std::string& scene, uint32_t side, DenoiserKind kind, bool isAdaptive)
         : kind_(kind), renderer_(projectScene(scene), options()),
           settings_(renderer_.defaultSettings()) {
         settings_.width = settings_.height = side;
-        settings_.samplesPerPixel = 128;
+        settings_.samplesPerPixel = isAdaptive ? 256 : 128;
+        settings_.isAdaptive = isAdaptive;
         settings_.targetError = {};
         settings_.seconds = {};
     }
@@ -75,6 +77,7 @@ public:
     Truth truth(uint32_t samples) {
         RenderSettings settings = settings_;
         settings.denoiser = DenoiserKind::Off;
+        settings.isAdaptive = false;
         settings.samplesPerPixel = samples;
         settings.seed = 1000001;
         std::vector<double> first = luminancesOf(renderer_.render(settings));
@@ -117,8 +120,8 @@ struct Honesty {
 };
 
 // The stated error is that of seven eighths of the samples: up to sqrt(8 / 7) = 1.07 too large.
-void expectTrueError(DenoiserKind kind) {
-    const uint32_t pictures = quickOrFull(8u, 40u);
+void expectTrueError(DenoiserKind kind, bool isAdaptive = false) {
+    const uint32_t pictures = quickOrFull(isAdaptive ? 4u : 8u, 40u);
     const uint32_t side = quickOrFull(48u, 64u);
     std::vector<std::string> scenes = {"scenes/cornell-box.json"};
     if (isSlowRun())
@@ -126,7 +129,7 @@ void expectTrueError(DenoiserKind kind) {
                       {"scenes/atelier.json", "scenes/dielectric.json", "scenes/texture.json"});
     for (const std::string& scene : scenes) {
         SCOPED_TRACE(scene);
-        DenoisedPictures source(scene, side, kind);
+        DenoisedPictures source(scene, side, kind, isAdaptive);
         const Truth truth = source.truth(quickOrFull(512u, 4096u));
         Honesty honesty;
         for (uint32_t seed = 1; seed <= pictures; ++seed)
@@ -160,6 +163,14 @@ TEST(DenoisedErrorTest, IsTheTrueErrorOfTheStatisticalDenoiser) {
     expectTrueError(DenoiserKind::Statistical);
 }
 ALSO_SLOW_TEST(DenoisedErrorTest, IsTheTrueErrorOfTheStatisticalDenoiser);
+
+// Of pixels with other numbers of samples.
+TEST(DenoisedErrorTest, IsTheTrueErrorOfAdaptiveSampling) {
+    expectTrueError(DenoiserKind::Statistical, true);
+    if (isSlowRun() && testDenoiser())
+        expectTrueError(DenoiserKind::Oidn, true);
+}
+ALSO_SLOW_TEST(DenoisedErrorTest, IsTheTrueErrorOfAdaptiveSampling);
 
 } // namespace
 } // namespace calotype::test

@@ -56,7 +56,7 @@ TEST(AdaptiveFilmTest, IsAFilmWhereAllPixelsHaveAsManySamples) {
 
 // As the colour is, so that both are of the same samples.
 TEST(AdaptiveFilmTest, AlphaIsTheMeanOfItsHalves) {
-    AdaptiveFilm film(2, 1, 1.0, true);
+    AdaptiveFilm film(2, 1, 1.0, ReplicaDetail::Luminance, true);
     const auto block = [](uint32_t first, uint32_t second) {
         return Block{{0, 0, 0, blockCount({16, first})}, {0, 0, 0, blockCount({16, second})}};
     };

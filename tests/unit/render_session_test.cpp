@@ -192,7 +192,7 @@ TEST(RenderSessionTest, EndsByTheErrorAfterDenoising) {
     std::vector<uint64_t> looks;
     RenderGoal goal;
     goal.targetError = 0.05;
-    goal.denoisedError = [&](const Film& film) -> std::optional<DenoisedError> {
+    goal.denoisedError = [&](const FilmView& film) -> std::optional<DenoisedError> {
         looks.push_back(film.samplesPerPixel());
         if (looks.size() == 2)
             return std::nullopt; // not known
