@@ -22,10 +22,14 @@
 #include "cli/output_claims.h"
 #include "cli/progress.h"
 #include "cli/read_scene.h"
+#include "engine/device_session.h"
 #include "engine/devices.h"
+#include "engine/picture_denoiser.h"
 #include "engine/render_engine.h"
 #include "engine/scene_settings.h"
 #include "engine/spare_file.h"
+#include "engine/stage_seconds.h"
+#include "image/denoiser_features.h"
 #include "settings/setting_kinds.h"
 #include "study/advice.h"
 #include "study/csv.h"
@@ -101,11 +105,13 @@ std::string renderCommandOf(const StudyOptions& options) {
     return command + " -o picture.exr";
 }
 
-void printChoices(const Study& study, const std::string& command) {
-    for (const Choice& choice : choicesOf(study)) {
-        std::string text = targetText(choice.target) + " error: ";
+/// `which`: of the error.
+void printChoices(const std::vector<Choice>& choices, const std::string& which, const Study& study,
+                  const std::string& command) {
+    for (const Choice& choice : choices) {
+        std::string text = targetText(choice.target) + " error" + which + ": ";
         if (choice.measurement) {
-            const std::string& options = choice.measurement->variant.options;
+            const std::string& options = choice.options;
             text += (options.empty() ? "the default" : options) + ", " +
                     durationText(choice.seconds) + (choice.isExtrapolated ? " (extrapolated)" : "");
             if (study.scale > 1.0)
@@ -119,6 +125,53 @@ void printChoices(const Study& study, const std::string& command) {
         }
         std::printf("%s\n", text.c_str());
     }
+}
+
+/// The denoisers that can be used here.
+void addDenoisers(const DeviceOptions& device, StudyPlan& plan) {
+    for (const DenoiserKind kind : {DenoiserKind::Oidn, DenoiserKind::Statistical})
+        try {
+            PictureDenoiser(kind, device.denoiserLibrary);
+            plan.denoisers.push_back(kind);
+        } catch (const SettingError& error) {
+            plan.omitted.push_back({std::string("denoised by ") + nameOf(kind), error.problem()});
+        }
+}
+
+/// What a variant uses.
+struct Prepared {
+    explicit Prepared(const DeviceOptions& options) : device(options) {}
+
+    DeviceKeeper device; ///< anew for each, so that none gets the kernels of another
+    std::unique_ptr<RenderEngine> engine = nullptr;
+    std::optional<PictureDenoiser> denoiser = std::nullopt;
+    std::optional<DenoiserFeatures> features = std::nullopt;
+};
+
+PreparedTracer prepareTracer(const DeviceOptions& device, const Scene& scene,
+                             const RenderSettings& settings,
+                             const std::function<void(const std::string&, double)>& onStep,
+                             std::string& deviceName) {
+    const bool isDenoised = settings.denoiser != DenoiserKind::Off;
+    StageSeconds seconds;
+    const auto all = std::make_shared<Prepared>(device);
+    all->engine = makeEngine(all->device, scene, {settings, false, isDenoised, onStep}, seconds);
+    RenderEngine& engine = *all->engine;
+    deviceName = engine.info().name;
+    PreparedTracer prepared{all,           &engine.tracer(), engine.maxRadiance(),
+                            seconds.build, seconds.compile,  [all] { all->engine->finish(); }};
+    if (!isDenoised)
+        return prepared;
+    all->denoiser.emplace(settings.denoiser, device.denoiserLibrary, &all->device);
+    all->features = timed(prepared.featureSeconds, [&] {
+        return denoiserFeatures(
+            engine.features([&](double done) { onStep("finding features", done); }));
+    });
+    prepared.denoise = [all, threads = device.threads](const FilmView& film,
+                                                       const auto& onProgress) {
+        return all->denoiser->run(film, film.picture(), all->features, threads, onProgress);
+    };
+    return prepared;
 }
 
 /// Runs the study; if it fails, gives up the claims, and removes the folder if that is empty.
@@ -156,6 +209,9 @@ int reportGaps(const Study& study, const std::filesystem::path& folder) {
     for (const FailedVariant& failure : study.failures)
         std::fprintf(stderr, "calotype: warning: not measured: %s: %s\n", failure.name.c_str(),
                      failure.reason.c_str());
+    for (const FailedVariant& variant : study.omitted)
+        std::fprintf(stderr, "calotype: note: not measured: %s: %s\n", variant.name.c_str(),
+                     variant.reason.c_str());
     if (study.ending == StudyEnding::OutOfTime)
         std::fprintf(stderr, "calotype: warning: --budget was too short for all settings\n");
     if (study.ending == StudyEnding::Stopped)
@@ -200,16 +256,11 @@ int studyCommand(const StudyOptions& options) {
         show(what);
     };
     const PrepareTracer prepare = [&](const RenderSettings& settings) {
-        StageSeconds seconds;
-        DeviceKeeper opened(device); // anew for each, so that none gets the kernels of another
-        std::shared_ptr<RenderEngine> engine =
-            makeEngine(opened, scene, {settings, false, false, onStep}, seconds);
+        PreparedTracer prepared = prepareTracer(device, scene, settings, onStep, origin.device);
         deadline.reset();
-        if (engine->maxRadiance() == 0.0)
+        if (prepared.maxRadiance == 0.0)
             throw SceneError(options.scene.path, "the scene has no light, so no error to study");
-        origin.device = engine->info().name;
-        return PreparedTracer{engine,        &engine->tracer(), engine->maxRadiance(),
-                              seconds.build, seconds.compile,   [engine] { engine->finish(); }};
+        return prepared;
     };
     StudyObserver observer;
     observer.shouldStop = isInterrupted;
@@ -217,12 +268,14 @@ int studyCommand(const StudyOptions& options) {
     const double left = std::max(0.0, options.budget - secondsSince(start));
     RenderSettings settings = defaultSettings(scene);
     options.settings.applyTo(settings);
-    const StudyPlan plan{settings, left, options.settings.has("size"), isReference(device)};
+    StudyPlan plan{settings, left, options.settings.has("size"), isReference(device)};
+    addDenoisers(device, plan);
     const Study study =
         runOrClean(folder, claims, [&] { return runStudy(plan, prepare, observer); });
     progress.clear();
     writeAll(study, origin, folder);
-    printChoices(study, origin.command);
+    printChoices(choicesOf(study), "", study, origin.command);
+    printChoices(denoisedChoicesOf(study), " after denoising", study, origin.command);
     std::printf("%s\n", (folder / "study.html").string().c_str());
     return reportGaps(study, folder);
 }

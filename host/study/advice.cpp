@@ -52,6 +52,29 @@ std::string lossOf(const Measurement& variant) {
                                 : ", but its error is still mostly noise.");
 }
 
+void choose(const Measurement& measurement, double seconds, const Study& study, Choice& choice) {
+    choice.measurement = &measurement;
+    choice.seconds = seconds;
+    choice.isExtrapolated = !measurement.reaches(choice.target);
+    choice.options = measurement.variant.options;
+    if (study.needsDenoiseOff && !measurement.variant.isDenoised)
+        choice.options += std::string(choice.options.empty() ? "" : " ") + "--denoise off";
+}
+
+/// Of a denoised picture, and of the time that the usual settings need for the same error.
+std::string denoisedSentence(const Measurement& variant, const Measurement& usual) {
+    const CurvePoint& last = variant.last();
+    std::string text = "With " + std::to_string(std::lround(last.samples)) +
+                       " samples per pixel and denoising, " + durationText(last.seconds) + ", ";
+    if (!last.error)
+        return text + "the error is too small to measure against the ground truth.";
+    text += "the picture has an error of " + percentText(*last.error) + ".";
+    if (const auto seconds = usual.secondsTo(*last.error))
+        text += " The default settings need " + durationText(*seconds) + " for that" +
+                (usual.reaches(*last.error) ? "." : " (extrapolated).");
+    return text;
+}
+
 } // namespace
 
 Comparison compare(const Measurement& variant, const Measurement& usual) {
@@ -67,6 +90,8 @@ Comparison compare(const Measurement& variant, const Measurement& usual) {
 }
 
 std::string sentenceOf(const Measurement& variant, const Measurement& usual, double noise) {
+    if (variant.variant.isDenoised)
+        return denoisedSentence(variant, usual);
     const Comparison comparison = compare(variant, usual);
     std::string text;
     if (comparison.timePerSample)
@@ -95,9 +120,7 @@ std::string sentenceOf(const Measurement& variant, const Measurement& usual, dou
 }
 
 std::string commandOf(const Choice& choice, const std::string& command) {
-    const std::string options =
-        choice.measurement ? choice.measurement->variant.options : std::string();
-    return command + (options.empty() ? "" : " " + options) + " --target-error " +
+    return command + (choice.options.empty() ? "" : " " + choice.options) + " --target-error " +
            shortNumber(choice.target);
 }
 
@@ -108,7 +131,7 @@ std::vector<Choice> choicesOf(const Study& study) {
         choice.target = target;
         for (const Measurement& measurement : study.measurements) {
             const auto floor = measurement.floor();
-            if (!floor || *floor > 0.5 * target)
+            if (measurement.variant.isDenoised || !floor || *floor > 0.5 * target)
                 continue;
             const auto seconds = measurement.secondsTo(target);
             const bool isUsual = &measurement == &study.measurements.front();
@@ -120,11 +143,29 @@ std::vector<Choice> choicesOf(const Study& study) {
             const double most =
                 choice.usual ? (1.0 - study.timingNoise()) * *choice.usual : *seconds;
             const bool isBetter = !choice.measurement || *seconds < choice.seconds;
-            if (isUsual || (isBetter && *seconds <= most)) {
-                choice.measurement = &measurement;
-                choice.seconds = *seconds;
-                choice.isExtrapolated = !measurement.reaches(target);
-            }
+            if (isUsual || (isBetter && *seconds <= most))
+                choose(measurement, *seconds, study, choice);
+        }
+        choices.push_back(choice);
+    }
+    return choices;
+}
+
+std::vector<Choice> denoisedChoicesOf(const Study& study) {
+    if (std::ranges::none_of(study.measurements,
+                             [](const Measurement& one) { return one.variant.isDenoised; }))
+        return {};
+    std::vector<Choice> choices;
+    for (const double target : kTargets) {
+        Choice choice;
+        choice.target = target;
+        choice.usual = study.measurements.front().secondsTo(target);
+        for (const Measurement& measurement : study.measurements) {
+            if (!measurement.variant.isDenoised)
+                continue;
+            const auto seconds = measurement.secondsTo(target);
+            if (seconds && (!choice.measurement || *seconds < choice.seconds))
+                choose(measurement, *seconds, study, choice);
         }
         choices.push_back(choice);
     }

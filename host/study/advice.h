@@ -29,6 +29,7 @@ struct Choice {
     double seconds = 0.0;                     ///< of sampling, in the study's size
     bool isExtrapolated = false;              ///< the seconds: no render was so long
     std::optional<double> usual;              ///< seconds that the usual settings need
+    std::string options;                      ///< of the command line; empty for the usual settings
 };
 
 inline constexpr std::array kTargets = {0.05, 0.02, 0.01};
@@ -40,5 +41,9 @@ std::string commandOf(const Choice& choice, const std::string& command);
 /// For each of kTargets: the usual settings unless another variant needs less time by more than
 /// Study::timingNoise, and the light that it loses is less than half of the error.
 std::vector<Choice> choicesOf(const Study& study);
+
+/// For each of kTargets: the variant with a denoiser that is soonest there, if any is. Empty if
+/// none was measured.
+std::vector<Choice> denoisedChoicesOf(const Study& study);
 
 } // namespace calotype

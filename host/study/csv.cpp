@@ -24,15 +24,17 @@ std::string quoted(const std::string& text) {
 
 std::string toCsv(const Study& study) {
     std::string csv = "variant,options,samples_per_pixel,seconds,pace,error,stated_error,"
-                      "build_seconds,compile_seconds,brighter,brighter_standard_error\n";
+                      "stated_bound,build_seconds,compile_seconds,brighter,"
+                      "brighter_standard_error\n";
     for (const Measurement& measurement : study.measurements)
         for (const CurvePoint& point : measurement.curve)
             csv += quoted(measurement.variant.name) + ',' + quoted(measurement.variant.options) +
                    ',' + number(point.samples) + ',' + number(point.seconds) + ',' +
                    number(measurement.pace) + ',' + number(point.error) + ',' +
-                   number(point.stated) + ',' + number(measurement.buildSeconds) + ',' +
-                   number(measurement.compileSeconds) + ',' + number(measurement.brighter) + ',' +
-                   number(measurement.brighterError) + '\n';
+                   number(point.stated) + ',' + number(point.bound) + ',' +
+                   number(measurement.buildSeconds) + ',' + number(measurement.compileSeconds) +
+                   ',' + number(measurement.brighter) + ',' + number(measurement.brighterError) +
+                   '\n';
     return csv;
 }
 

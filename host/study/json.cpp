@@ -18,7 +18,8 @@ Json describe(const CurvePoint& point) {
     return {{"spp", std::llround(point.samples)},
             {"seconds", point.seconds},
             {"true_error", orNull(point.error)},
-            {"stated_error", orNull(point.stated)}};
+            {"stated_error", orNull(point.stated)},
+            {"stated_bound", orNull(point.bound)}};
 }
 
 Json describe(const Measurement& measurement) {
@@ -26,6 +27,7 @@ Json describe(const Measurement& measurement) {
     json["name"] = measurement.variant.name;
     json["options"] = measurement.variant.options;
     json["loses_light"] = measurement.variant.losesLight;
+    json["denoised"] = measurement.variant.isDenoised;
     json["trusted"] = measurement.isTrusted;
     json["seconds"] = {{"build", measurement.buildSeconds},
                        {"compile", measurement.compileSeconds}};
@@ -42,7 +44,7 @@ Json describe(const Choice& choice, double scale, const std::string& command) {
     Json json;
     json["target_error"] = choice.target;
     const bool isKnown = choice.measurement != nullptr;
-    json["options"] = isKnown ? Json(choice.measurement->variant.options) : Json();
+    json["options"] = isKnown ? Json(choice.options) : Json();
     json["seconds"] = isKnown ? Json(choice.seconds) : Json();
     json["seconds_at_scene_size"] = isKnown ? Json(scale * choice.seconds) : Json();
     json["seconds_by_default"] = orNull(choice.usual);
@@ -65,6 +67,12 @@ std::string toJson(const Study& study, const StudyOrigin& origin) {
     json["recommended"] = Json::array();
     for (const Choice& choice : choicesOf(study))
         json["recommended"].push_back(describe(choice, study.scale, origin.command));
+    json["recommended_denoised"] = Json::array();
+    for (const Choice& choice : denoisedChoicesOf(study))
+        json["recommended_denoised"].push_back(describe(choice, study.scale, origin.command));
+    json["omitted"] = Json::array();
+    for (const FailedVariant& variant : study.omitted)
+        json["omitted"].push_back({{"name", variant.name}, {"reason", variant.reason}});
     json["measurements"] = Json::array();
     for (const Measurement& measurement : study.measurements)
         json["measurements"].push_back(describe(measurement));

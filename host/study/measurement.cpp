@@ -16,6 +16,8 @@ double secondsBetween(const CurvePoint& a, const CurvePoint& b, double target) {
     return a.seconds * std::pow(b.seconds / a.seconds, share);
 }
 
+constexpr uint32_t kLargestPart = 256; ///< pixels on a side
+
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
 
 /// Points of the front between two measured times.
@@ -37,6 +39,15 @@ double errorAt(const std::vector<FrontPoint>& curve, double seconds) {
 
 } // namespace
 
+Image middleOf(const Image& image) {
+    Image part(std::min(image.width, kLargestPart), std::min(image.height, kLargestPart));
+    for (uint32_t y = 0; y < part.height; ++y)
+        for (uint32_t x = 0; x < part.width; ++x)
+            part.at(x, y) =
+                image.at(x + (image.width - part.width) / 2, y + (image.height - part.height) / 2);
+    return part;
+}
+
 std::optional<double> Measurement::floor() const {
     if (!variant.losesLight)
         return 0.0;
@@ -55,6 +66,8 @@ std::optional<double> Measurement::secondsTo(double target) const {
             return before ? secondsBetween(*before, point, target) : point.seconds;
         before = &point;
     }
+    if (variant.isDenoised)
+        return std::nullopt;
     const auto lowest = floor();
     if (!before || !lowest || target <= *lowest)
         return std::nullopt;

@@ -119,8 +119,8 @@ public:
         return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
                "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n" +
                tag("title", title) + tag("style", kStyle) + "</head>\n<body>\n" + tag("h1", title) +
-               facts() + choices() + plot() + sentences() + equalTime() + equalError() +
-               "</body>\n</html>\n";
+               facts() + choices() + denoisedErrors() + plot() + sentences() + equalTime() +
+               equalError() + "</body>\n</html>\n";
     }
 
 private:
@@ -153,48 +153,96 @@ private:
                     "<strong>The times are imprecise</strong>: the speed of the machine varied "
                     "by " +
                         percentText(study_.paceSpread) + " during the study. Use a longer budget.");
-        for (const FailedVariant& failure : study_.failures)
-            html +=
-                tag("p", "Not measured: " + escaped(failure.name) + ": " + escaped(failure.reason));
+        for (const auto* list : {&study_.failures, &study_.omitted})
+            for (const FailedVariant& variant : *list)
+                html += tag("p", "Not measured: " + escaped(variant.name) + ": " +
+                                     escaped(variant.reason));
         return html;
     }
 
     std::string choices() const {
-        const bool isSmaller = study_.scale > 1.0;
+        const std::vector<Choice> denoised = denoisedChoicesOf(study_);
         std::string rows = "<tr><th>target error</th><th>settings</th><th>time</th>"
                            "<th>time with the default settings</th>";
         std::string commands;
-        rows += isSmaller ? "<th>time at the scene's own size</th></tr>\n" : "</tr>\n";
-        for (const Choice& choice : choicesOf(study_)) {
-            std::string row = tag("td", targetText(choice.target));
-            if (choice.measurement) {
-                const std::string& options = choice.measurement->variant.options;
-                row += tag("td", options.empty() ? "the default" : optionCode(options)) +
-                       tag("td", durationText(choice.seconds) +
-                                     (choice.isExtrapolated ? ", extrapolated" : "")) +
-                       tag("td", choice.usual ? durationText(*choice.usual) : "never");
-                if (isSmaller)
-                    row += tag("td", durationText(choice.seconds * study_.scale));
-                commands += tag("li", code(commandOf(choice, origin_.command)));
-            } else {
-                row += std::string("<td colspan=\"") + (isSmaller ? "4" : "3") +
-                       "\">unknown: the time budget was too short</td>";
-            }
-            rows += tag("tr", row);
-        }
+        rows += isSmaller() ? "<th>time at the scene's own size</th></tr>\n" : "</tr>\n";
+        for (const Choice& choice : choicesOf(study_))
+            rows += rowOf(choice, "", commands);
+        for (const Choice& choice : denoised)
+            rows += rowOf(choice, " after denoising", commands);
         return tag("h2", "Recommended settings") + "<div class=\"wide\"><table>" + rows +
                "</table></div>\n" + (commands.empty() ? "" : tag("ul", commands)) +
                faint(
                    "Time of sampling until the picture has this error. Beyond the longest render "
                    "that was measured it is extrapolated: the error falls with the square root of "
-                   "the time. The commands end when the error is reached.");
+                   "the time. The commands end when the error is reached.") +
+               (denoised.empty()
+                    ? ""
+                    : faint("After denoising: the error of the denoised picture, with what the "
+                            "denoiser blurs or invents. The time includes denoising once, and is "
+                            "not extrapolated. Such a command ends when the upper bound of the "
+                            "stated error is at the target, so somewhat later."));
+    }
+
+    bool isSmaller() const { return study_.scale > 1.0; }
+
+    /// Of the recommended settings; adds the command, if there is one. `which`: of the error.
+    std::string rowOf(const Choice& choice, const std::string& which, std::string& commands) const {
+        std::string row = tag("td", targetText(choice.target) + which);
+        if (choice.measurement) {
+            row += tag("td", choice.options.empty() ? "the default" : optionCode(choice.options)) +
+                   tag("td", durationText(choice.seconds) +
+                                 (choice.isExtrapolated ? ", extrapolated" : "")) +
+                   tag("td", choice.usual ? durationText(*choice.usual) : "never");
+            if (isSmaller())
+                row += tag("td", durationText(choice.seconds * study_.scale));
+            commands += tag("li", code(commandOf(choice, origin_.command)));
+        } else {
+            row += std::string("<td colspan=\"") + (isSmaller() ? "4" : "3") +
+                   "\">unknown: the time budget was too short</td>";
+        }
+        return tag("tr", row);
+    }
+
+    /// Nothing where no variant with a denoiser was measured.
+    std::string denoisedErrors() const {
+        std::string rows;
+        for (const Measurement& measurement : study_.measurements)
+            for (const CurvePoint& point : measurement.curve) {
+                if (!measurement.variant.isDenoised)
+                    continue;
+                const auto percent = [](const std::optional<double>& error, const char* otherwise) {
+                    return tag("td", error ? percentText(*error) : otherwise);
+                };
+                const std::string ratio =
+                    point.error && point.stated ? shortNumber(*point.stated / *point.error, 3) : "";
+                rows += tag("tr", tag("td", escaped(measurement.variant.name)) +
+                                      tag("td", std::to_string(std::lround(point.samples))) +
+                                      tag("td", durationText(point.seconds)) +
+                                      percent(point.error, "too small to measure") +
+                                      percent(point.stated, "not stated") +
+                                      percent(point.bound, "") + tag("td", ratio));
+            }
+        if (rows.empty())
+            return "";
+        return tag("h2", "Denoised pictures: stated and true error") +
+               "<div class=\"wide\"><table>" +
+               tag("tr", "<th>settings</th><th>samples per pixel</th><th>time</th>"
+                         "<th>true error</th><th>stated error</th><th>stated bound</th>"
+                         "<th>stated / true</th>") +
+               rows + "</table></div>\n" +
+               faint("The true error is measured against the ground truth; the stated one is what "
+                     "the render itself finds by cross-validation. That is the error with seven "
+                     "eighths of the samples, so up to 1.07 of the true one in the mean, and each "
+                     "has its own noise. The bound is above the true error in 95 % of pictures.");
     }
 
     std::string plot() const {
         return tag("h2", "Error against time") + toSvg(study_, origin_.scene) +
                faint("Dashed lines: settings that lose light, so that their error stays above a "
-                     "limit. A line ends where the error is too small to measure against the "
-                     "ground truth.");
+                     "limit. Dotted lines: denoised pictures, whose error includes what the "
+                     "denoiser blurs or invents. A line ends where the error is too small to "
+                     "measure against the ground truth.");
     }
 
     std::string sentences() const {

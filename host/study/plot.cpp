@@ -86,8 +86,8 @@ std::string grid(const LogAxis& x, const LogAxis& y) {
         svg += line(kLeft, y.at(error), kWidth - kRight, y.at(error));
         svg += text(kLeft - 6.0, y.at(error) + 5.0, "end", targetText(error));
     }
-    svg +=
-        text(0.5 * (kLeft + kWidth - kRight), bottom + 38.0, "middle", "sampling time in seconds");
+    svg += text(0.5 * (kLeft + kWidth - kRight), bottom + 38.0, "middle",
+                "seconds of sampling, and of denoising where that is named");
     return svg;
 }
 
@@ -108,6 +108,8 @@ std::string strokeOf(const Measurement& measurement, size_t index) {
     attributes += index == 0 ? "3\"" : "1.6\"";
     if (measurement.variant.losesLight)
         attributes += " stroke-dasharray=\"5 3\"";
+    if (measurement.variant.isDenoised)
+        attributes += " stroke-dasharray=\"1 4\"";
     return attributes;
 }
 
@@ -115,9 +117,10 @@ std::string strokeOf(const Measurement& measurement, size_t index) {
 
 std::string variantColor(size_t index) {
     // Different hues, with a lightness that is visible on white and on black.
-    constexpr std::array<const char*, 14> kColors = {
-        "#1b7fd6", "#e0762c", "#35a35a", "#c94fb0", "#8a6fe8", "#b8912a", "#2fa7a7",
-        "#d6455d", "#7d8a99", "#6aa52d", "#a46a4a", "#4f79c9", "#d18ac0", "#5f9f86"};
+    constexpr std::array<const char*, 18> kColors = {
+        "#1b7fd6", "#e0762c", "#35a35a", "#c94fb0", "#8a6fe8", "#b8912a",
+        "#2fa7a7", "#d6455d", "#7d8a99", "#6aa52d", "#a46a4a", "#4f79c9",
+        "#d18ac0", "#5f9f86", "#e04f8f", "#9a7bb0", "#c4622d", "#4a9fc0"};
     return kColors[index % kColors.size()];
 }
 

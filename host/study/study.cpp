@@ -9,6 +9,7 @@
 #include "base/stopwatch.h"
 #include "engine/make_session.h"
 #include "settings/limits.h"
+#include "study/denoised_curve.h"
 
 namespace calotype {
 namespace {
@@ -19,7 +20,6 @@ constexpr double kGroundTruthShare = 0.4;
 /// Samples per pixel that the ground truth should get, if the size of the picture is free.
 constexpr double kGroundTruthSamples = 4096.0;
 constexpr double kLeastPixels = 48.0 * 48.0;
-constexpr uint32_t kLargestPart = 256; ///< pixels on a side
 /// A variant is an improvement if it saves this share of the time to the same error.
 constexpr double kBetter = 0.15;
 /// Share of a variant's time that is used to measure the machine's pace.
@@ -41,6 +41,9 @@ public:
     StudyRun(const StudyPlan& plan, const PrepareTracer& prepare, const StudyObserver& observer)
         : plan_(plan), prepare_(prepare), observer_(observer) {
         study_.usual = plan.usual;
+        study_.usual.denoiser = DenoiserKind::Off;
+        study_.needsDenoiseOff = plan.usual.denoiser != DenoiserKind::Off;
+        study_.omitted = plan.omitted;
         study_.usual.samplesPerPixel = kMostSamplesPerPixel;
     }
 
@@ -65,18 +68,24 @@ public:
 private:
     double secondsLeft() const { return plan_.seconds - secondsSince(start_); }
 
-    /// Samples for `seconds`. False if the user stopped it.
-    bool sample(Session& session, double seconds, const std::string& what,
+    /// Samples until `isOver`. False if the user stopped it.
+    bool sample(Session& session, const std::function<bool()>& isOver, const std::string& what,
                 const std::function<void()>& onPass) {
         RenderObserver observer;
         observer.shouldStop = [&] {
             isStopped_ = observer_.shouldStop();
             observer_.onProgress(what);
-            return isStopped_ || session.totals().seconds >= seconds;
+            return isStopped_ || isOver();
         };
         observer.onPass = [&](const RenderTotals&) { onPass(); };
         session.run(observer);
         return !isStopped_;
+    }
+
+    bool sample(Session& session, double seconds, const std::string& what,
+                const std::function<void()>& onPass) {
+        return sample(
+            session, [&] { return session.totals().seconds >= seconds; }, what, onPass);
     }
 
     /// Chooses a picture so small that the ground truth gets kGroundTruthSamples.
@@ -128,8 +137,9 @@ private:
                         std::to_string(truth.samples) + " samples per pixel and needs " +
                         std::to_string(kLeastSamples) +
                         "; use a longer --budget or a smaller --size");
-        const std::vector<Variant> variants =
-            variantsOf(study_.usual, truth.mean, plan_.isReference);
+        std::vector<Variant> variants = variantsOf(study_.usual, truth.mean, plan_.isReference);
+        for (const DenoiserKind denoiser : plan_.denoisers)
+            variants.push_back(denoisedVariant(study_.usual, denoiser));
         size_t left = variants.size() + 1; // and the improvements together
         share_ = secondsLeft() / static_cast<double>(left);
         yardstick_.emplace(*this);
@@ -252,17 +262,35 @@ private:
         measurement.variant = variant;
         measurement.buildSeconds = prepared.buildSeconds;
         measurement.compileSeconds = prepared.compileSeconds;
+        const std::optional<Image> picture =
+            variant.isDenoised ? measureDenoised(prepared, *session, seconds, measurement)
+                               : measureSamples(*session, seconds, measurement);
+        if (!picture)
+            return std::nullopt;
+        const MeanLuminance mean = meanLuminance(*picture, session->pixelErrors());
+        measurement.brighter = mean.mean / study_.groundTruth->mean - 1.0;
+        measurement.brighterError = std::hypot(mean.standardError, study_.groundTruth->meanError) /
+                                    study_.groundTruth->mean;
+        if (prepared.finish)
+            prepared.finish();
+        measurement.isTrusted = session->error() && session->error()->isTrusted();
+        return measurement;
+    }
+
+    /// Records the curve. Returns the last picture; none if the user stopped it.
+    std::optional<Image> measureSamples(Session& session, double seconds,
+                                        Measurement& measurement) {
         const auto record = [&] {
-            const Image picture = session->picture();
-            const auto& estimate = session->error();
+            const Image picture = session.picture();
+            const auto& estimate = session.error();
             measurement.curve.push_back(
-                {static_cast<double>(session->totals().paths) / pixelsOf(settings),
-                 session->totals().seconds, study_.groundTruth->errorOf(picture),
+                {static_cast<double>(session.totals().paths) / pixelsOf(study_.usual),
+                 session.totals().seconds, study_.groundTruth->errorOf(picture),
                  estimate ? std::optional(estimate->relative) : std::nullopt, middleOf(picture)});
         };
         uint64_t next = 1;
-        const bool isWhole = sample(*session, seconds, variant.name, [&] {
-            const uint64_t samples = session->totals().samplesPerPixel;
+        const bool isWhole = sample(session, seconds, measurement.variant.name, [&] {
+            const uint64_t samples = session.totals().samplesPerPixel;
             if (samples < next)
                 return;
             record();
@@ -271,14 +299,28 @@ private:
         if (!isWhole)
             return std::nullopt;
         record();
-        const MeanLuminance mean = meanLuminance(session->picture(), session->pixelErrors());
-        measurement.brighter = mean.mean / study_.groundTruth->mean - 1.0;
-        measurement.brighterError = std::hypot(mean.standardError, study_.groundTruth->meanError) /
-                                    study_.groundTruth->mean;
-        if (prepared.finish)
-            prepared.finish();
-        measurement.isTrusted = session->error() && session->error()->isTrusted();
-        return measurement;
+        return session.picture();
+    }
+
+    /// Likewise. None also if the time was too short for one picture: then the study says so.
+    std::optional<Image> measureDenoised(const PreparedTracer& prepared, Session& session,
+                                         double seconds, Measurement& measurement) {
+        const std::string& name = measurement.variant.name;
+        const std::function<void()> onProgress = [&] {
+            if (observer_.shouldStop())
+                throw StudyStopped();
+            observer_.onProgress(name);
+        };
+        DenoisedCurve curve(prepared, session, *study_.groundTruth, seconds, onProgress);
+        if (!sample(
+                session, [&] { return curve.isOver(); }, name, [&] { curve.onPass(); }))
+            return std::nullopt;
+        curve.finish();
+        measurement.curve = curve.points();
+        if (measurement.curve.empty())
+            study_.omitted.push_back(
+                {name, "the time budget was too short for 128 samples per pixel and denoising"});
+        return curve.picture();
     }
 
     const StudyPlan& plan_;
@@ -298,15 +340,6 @@ private:
 double Study::timingNoise() const {
     constexpr double kLeast = 0.1;
     return std::max(kLeast, 2.0 * paceSpread);
-}
-
-Image middleOf(const Image& image) {
-    Image part(std::min(image.width, kLargestPart), std::min(image.height, kLargestPart));
-    for (uint32_t y = 0; y < part.height; ++y)
-        for (uint32_t x = 0; x < part.width; ++x)
-            part.at(x, y) =
-                image.at(x + (image.width - part.width) / 2, y + (image.height - part.height) / 2);
-    return part;
 }
 
 Study runStudy(const StudyPlan& plan, const PrepareTracer& prepare, const StudyObserver& observer) {

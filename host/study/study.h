@@ -1,53 +1,43 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "render/block_tracer.h"
+#include "settings/denoiser_kind.h"
 #include "settings/render_settings.h"
 #include "study/ground_truth.h"
 #include "study/measurement.h"
+#include "study/prepared_tracer.h"
 #include "study/variant.h"
 
 namespace calotype {
 
-/// A tracer that is ready to render, and the time of its preparation.
-struct PreparedTracer {
-    std::shared_ptr<void> owner; ///< of the tracer
-    BlockTracer* tracer = nullptr;
-    double maxRadiance = 0.0; ///< W/(m^2 sr)
-    double buildSeconds = 0.0;
-    double compileSeconds = 0.0;
-    std::function<void()> finish = {}; ///< called after the render; throws errors that it found
-};
 using PrepareTracer = std::function<PreparedTracer(const RenderSettings&)>;
 
 /// A PrepareTracer may throw this if the user stops the study.
 struct StudyStopped {};
 
+/// A variant that was not measured.
+struct FailedVariant {
+    std::string name;
+    std::string reason; ///< a sentence
+};
+
 struct StudyPlan {
-    RenderSettings usual;     ///< those of the scene, at its size
-    double seconds = 0.0;     ///< budget of the whole study
+    RenderSettings usual; ///< those of the scene, at its size; those of variants without a denoiser
+    double seconds = 0.0; ///< budget of the whole study
     bool keepsSize = false;   ///< false: the picture may be made smaller to fit the budget
     bool isReference = false; ///< uses the reference tracer: no kernel, and only one kind of tree
+    std::vector<DenoiserKind> denoisers = {}; ///< with each of which a variant is measured
+    std::vector<FailedVariant> omitted = {};  ///< denoisers that cannot be used here
 };
 
 /// Callbacks of a running study.
 struct StudyObserver {
     std::function<bool()> shouldStop;
     std::function<void(const std::string& what)> onProgress; ///< about ten times a second
-};
-
-/// The middle of a picture, at most 256 pixels on a side, not scaled. The page shows this part.
-Image middleOf(const Image& image);
-
-/// A variant that could not be rendered.
-struct FailedVariant {
-    std::string name;
-    std::string reason; ///< a sentence
 };
 
 enum class StudyEnding : uint8_t {
@@ -58,11 +48,14 @@ enum class StudyEnding : uint8_t {
 
 /// The results of a study.
 struct Study {
-    RenderSettings usual; ///< at the picture size of the study
-    double scale = 1.0;   ///< pixels at the scene's own size over pixels of the study's pictures
+    RenderSettings usual; ///< at the picture size of the study, without a denoiser
+    /// The scene's settings name a denoiser, so that a render without one needs --denoise off.
+    bool needsDenoiseOff = false;
+    double scale = 1.0; ///< pixels at the scene's own size over pixels of the study's pictures
     std::optional<GroundTruth> groundTruth;
     std::vector<Measurement> measurements; ///< the usual settings first
     std::vector<FailedVariant> failures;
+    std::vector<FailedVariant> omitted; ///< that cannot be measured here, or not in this time
     /// Relative standard deviation of the machine's pace between two measurements of it.
     double paceSpread = 0.0;
     StudyEnding ending = StudyEnding::Stopped;
@@ -71,12 +64,12 @@ struct Study {
     double timingNoise() const;
 };
 
-/// Renders the ground truth in two fifths of the time. The variants share the rest equally; last
-/// come all improvements together, if there are several. Between the variants the usual settings
-/// render a little more, which measures the machine's pace; all seconds are corrected by it. A
-/// study that is stopped, or out of time, holds the measurements that were complete. Throws Error
-/// if the picture is black, the time is too short for the ground truth, or the usual settings
-/// cannot be rendered.
+/// Renders the ground truth in two fifths of the time. The variants share the rest equally; those
+/// with a denoiser come after the others, last all improvements together, if there are several.
+/// Between the variants the usual settings render a little more, which measures the machine's pace;
+/// all seconds are corrected by it. A study that is stopped, or out of time, holds the measurements
+/// that were complete. Throws Error if the picture is black, the time is too short for the ground
+/// truth, or the usual settings cannot be rendered.
 Study runStudy(const StudyPlan& plan, const PrepareTracer& prepare, const StudyObserver& observer);
 
 } // namespace calotype

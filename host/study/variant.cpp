@@ -76,6 +76,17 @@ std::vector<Variant> variantsOf(const RenderSettings& usual, double mean, bool i
     return variants;
 }
 
+Variant denoisedVariant(const RenderSettings& usual, DenoiserKind denoiser) {
+    Variant variant{std::string("denoised by ") + nameOf(denoiser),
+                    "",
+                    false,
+                    [denoiser](RenderSettings& settings) { settings.denoiser = denoiser; },
+                    false,
+                    true};
+    variant.options = optionsBetween(usual, variant.settings(usual));
+    return variant;
+}
+
 Variant together(const RenderSettings& usual, const std::vector<Variant>& variants) {
     Variant all{"all improvements together", "", false, [variants](RenderSettings& settings) {
                     for (const Variant& variant : variants)

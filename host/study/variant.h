@@ -15,6 +15,7 @@ struct Variant {
     bool losesLight = false; ///< by design: its picture converges to another one
     std::function<void(RenderSettings&)> change;
     bool isOneChange = true; ///< false: it is not combined with others
+    bool isDenoised = false;
 
     RenderSettings settings(RenderSettings usual) const {
         if (change)
@@ -28,6 +29,9 @@ struct Variant {
 /// `mean` is the picture's mean radiance in W/(m^2 sr). With the reference tracer, variants that
 /// change the BVH or the kernel are left out.
 std::vector<Variant> variantsOf(const RenderSettings& usual, double mean, bool isReference = false);
+
+/// The usual settings and a denoiser.
+Variant denoisedVariant(const RenderSettings& usual, DenoiserKind denoiser);
 
 /// One variant with all of these changes.
 Variant together(const RenderSettings& usual, const std::vector<Variant>& variants);

@@ -56,6 +56,17 @@ TEST_F(StudyTest, TimedRunWritesTableAndPlotAndPage) {
         EXPECT_TRUE(!isWhole || csv.find(option) != std::string::npos) << option;
         EXPECT_TRUE(!isWhole || page.find(option) != std::string::npos) << option;
     }
+    // Denoised variants: measured, or named with a reason.
+    for (const char* name : {"denoised by oidn", "denoised by statistical"}) {
+        const bool isMeasured = csv.find(name) != std::string::npos;
+        const bool isNamed =
+            result.errors.find(std::string("not measured: ") + name) != std::string::npos;
+        EXPECT_TRUE(!isWhole || isMeasured != isNamed) << name << result.errors;
+        EXPECT_TRUE(!isMeasured || page.find("stated and true error") != std::string::npos);
+        EXPECT_TRUE(!isMeasured ||
+                    result.output.find("5 % error after denoising: ") != std::string::npos)
+            << result.output;
+    }
     // The last line of the default: what the ground truth says is what the picture said of itself.
     std::istringstream lines(csv);
     std::vector<std::string> last;
@@ -110,6 +121,26 @@ TEST_F(StudyTest, AnOutputThatFailsLosesNoOther) {
     EXPECT_EQ(readText(spare / spare.names()[0]).rfind("<svg", 0), 0u);
     EXPECT_NE(readOutput("study.html").find("the default"), std::string::npos);
     EXPECT_NE(readOutput("study.csv").find("the default"), std::string::npos);
+}
+
+// Without a library, what it is for is left out, and the scene's own denoiser is turned off.
+TEST_F(StudyTest, SaysWhyADenoiserIsNotMeasured) {
+    ProgramOptions options;
+    options.environment["CALOTYPE_OIDN"] = "/nowhere";
+    const ProgramResult result =
+        study({"--budget", "5s", "--size", "16x16", "--set", "/render/denoise=\"oidn\""}, options);
+    EXPECT_EQ(result.exitCode, 0) << result.errors;
+    EXPECT_NE(result.errors.find("note: not measured: denoised by oidn: cannot be used here"),
+              std::string::npos)
+        << result.errors;
+    EXPECT_NE(result.errors.find("pip install pyoidn"), std::string::npos) << result.errors;
+    EXPECT_NE(readOutput("study.html").find("pip install pyoidn"), std::string::npos);
+    const auto json = nlohmann::json::parse(readOutput("study.json"));
+    EXPECT_EQ(json["omitted"][0]["name"], "denoised by oidn");
+    for (const auto& choice : json["recommended"])
+        if (!choice["command"].is_null())
+            EXPECT_NE(choice["command"].get<std::string>().find("--denoise off"),
+                      std::string::npos);
 }
 
 TEST_F(StudyTest, SaysThatItsBudgetIsTooShort) {

@@ -170,6 +170,57 @@ TEST(TimedStudyTest, CorrectsForTheMachinesPace) {
     EXPECT_NEAR(compare(late, study.measurements.front()).timePerSample.value(), 1.0, 0.25);
 }
 
+/// A study with a denoiser that halves the noise, and says that it leaves `stated`.
+PrepareTracer halvingNoise(double stated) {
+    return [=](const RenderSettings& settings) {
+        PreparedTracer prepared = kPrepare(settings);
+        prepared.featureSeconds = 0.01;
+        prepared.denoise = [=](const FilmView& film, const std::function<void(double)>&) {
+            CleanPicture clean{film.picture(), "made up", DenoisedError{stated, 1.1 * stated, 0.0},
+                               ""};
+            for (glm::vec3& pixel : clean.color.pixels)
+                pixel = 0.5f * (pixel + 1.0f);
+            return clean;
+        };
+        return prepared;
+    };
+}
+
+/// The curve of the denoised variant; nothing if it was not measured.
+const Measurement* denoisedIn(const Study& study) {
+    for (const Measurement& measurement : study.measurements)
+        if (measurement.variant.isDenoised)
+            return &measurement;
+    return nullptr;
+}
+
+TEST(TimedStudyTest, MeasuresDenoisedPictures) {
+    StudyPlan plan = planOf(3.0);
+    plan.usual.width = plan.usual.height = 16;
+    plan.usual.crop = {0, 0, 16, 16};
+    plan.denoisers = {DenoiserKind::Statistical};
+    plan.omitted = {{"denoised by oidn", "cannot be used here"}};
+    const Study study = runStudy(plan, halvingNoise(0.02), kPatient);
+    ASSERT_EQ(study.ending, StudyEnding::Whole);
+    const Measurement* denoised = denoisedIn(study);
+    ASSERT_TRUE(denoised);
+    ASSERT_GE(denoised->curve.size(), 2u);
+    EXPECT_EQ(denoised->curve[0].samples, 128.0);
+    EXPECT_EQ(denoised->curve[1].samples, 256.0);
+    for (const CurvePoint& point : denoised->curve) {
+        EXPECT_GE(point.seconds, denoised->pace * 0.01) << "the features";
+        EXPECT_EQ(point.stated, 0.02);
+        EXPECT_EQ(point.bound.value(), 1.1 * 0.02);
+    }
+    const double truth = 0.5 * 1.96 * 0.2 / std::sqrt(128.0);
+    EXPECT_NEAR(denoised->curve[0].error.value() / truth, 1.0, 0.15);
+    const std::string page = toHtml(study, {"a.json", "none", "calotype render a.json"});
+    for (const char* part :
+         {"Not measured: denoised by oidn: cannot be used here", "after denoising",
+          "stated and true error", "stroke-dasharray=\"1 4\""})
+        EXPECT_NE(page.find(part), std::string::npos) << part;
+}
+
 /// Throws from the moment that `fails` says so.
 class FailingTracer : public NoiseTracer {
 public:

@@ -180,6 +180,53 @@ TEST(StudyAdviceTest, ChoosesWhatIsSoonestThere) {
     EXPECT_EQ(choicesOf(study)[0].measurement, nullptr);
 }
 
+/// A variant whose error falls as the fourth root of the time, from 128 samples on.
+Measurement madeUpDenoised(const std::string& name, double factor) {
+    Measurement measurement;
+    measurement.variant = {name, "--denoise " + name, false, {}, false, true};
+    measurement.isTrusted = true;
+    for (double samples = 128.0; samples <= 1024.0; samples *= 2.0) {
+        const double error = factor / std::sqrt(std::sqrt(samples / 10.0));
+        measurement.curve.push_back({samples, samples / 10.0, error, 1.05 * error, Image(2, 2)});
+    }
+    return measurement;
+}
+
+TEST(StudyMeasurementTest, ExtrapolatesNoDenoiser) {
+    const Measurement one = madeUpDenoised("oidn", 0.1); // 5.3 % after 12.8 s, 3.1 % after 102 s
+    EXPECT_NEAR(one.secondsTo(0.04).value(), std::pow(0.1 / 0.04, 4.0), 1e-6);
+    EXPECT_EQ(one.secondsTo(0.1), 12.8) << "its first picture";
+    EXPECT_FALSE(one.secondsTo(0.03));
+}
+
+// Errors after denoising are another thing than those of samples: each has recommendations.
+TEST(StudyAdviceTest, RecommendsDenoisersApart) {
+    Study study;
+    study.measurements = {madeUp("usual", 1.0, 10.0)};
+    EXPECT_TRUE(denoisedChoicesOf(study).empty());
+    study.measurements.push_back(madeUpDenoised("statistical", 0.1));
+    study.measurements.push_back(madeUpDenoised("oidn", 0.08));
+    for (const Choice& choice : choicesOf(study))
+        EXPECT_EQ(choice.measurement->variant.name, "usual");
+    const std::vector<Choice> choices = denoisedChoicesOf(study);
+    ASSERT_EQ(choices.size(), kTargets.size());
+    EXPECT_EQ(choices[0].measurement->variant.name, "oidn");
+    EXPECT_EQ(choices[0].seconds, 12.8);
+    EXPECT_NEAR(choices[0].usual.value(), 0.1 / (0.05 * 0.05), 1e-9);
+    EXPECT_FALSE(choices[0].isExtrapolated);
+    EXPECT_EQ(choices[2].measurement, nullptr) << "1 % is not reached";
+    EXPECT_EQ(commandOf(choices[0], "calotype render a.json"),
+              "calotype render a.json --denoise oidn --target-error 0.05");
+    study.needsDenoiseOff = true; // as the scene names a denoiser
+    EXPECT_EQ(commandOf(choicesOf(study)[0], "calotype render a.json"),
+              "calotype render a.json --denoise off --target-error 0.05");
+    EXPECT_EQ(denoisedChoicesOf(study)[0].options, "--denoise oidn");
+    const std::string sentence = sentenceOf(study.measurements[2], study.measurements[0], 0.1);
+    EXPECT_NE(sentence.find("With 1024 samples per pixel and denoising, 1:42"), std::string::npos)
+        << sentence;
+    EXPECT_NE(sentence.find("The default settings need"), std::string::npos) << sentence;
+}
+
 TEST(StudyVariantsTest, ChangeOneThingEach) {
     RenderSettings usual;
     usual.maxBounces = 12;
@@ -198,6 +245,10 @@ TEST(StudyVariantsTest, ChangeOneThingEach) {
     for (const Variant& variant : ofReference)
         EXPECT_TRUE(variant.name == "the default" ||
                     (!variant.options.empty() && variant.options != "--bvh median"));
+    const Variant denoised = denoisedVariant(usual, DenoiserKind::Statistical);
+    EXPECT_EQ(denoised.options, "--denoise statistical");
+    EXPECT_EQ(denoised.settings(usual).denoiser, DenoiserKind::Statistical);
+    EXPECT_FALSE(denoised.isOneChange);
     const Variant both = together(usual, {variants[1], variants[2]});
     EXPECT_EQ(both.options, "--adaptive --sampler independent");
     EXPECT_TRUE(both.settings(usual).isAdaptive);
