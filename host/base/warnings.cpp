@@ -35,6 +35,11 @@ void Warnings::add(const std::string& where, const std::string& message, const s
         warnings_.push_back({where, message, kind.empty() ? message : kind});
 }
 
+void Warnings::append(const Warnings& others) {
+    for (const Warning& other : others.warnings_)
+        add(other.where, other.message, other.kind);
+}
+
 std::vector<std::string> Warnings::sentences() const {
     std::vector<Group> groups;
     std::map<std::string, size_t> groupOfKind;

@@ -14,6 +14,9 @@ public:
     /// it is not shown, and by default it is the message.
     void add(const std::string& where, const std::string& message, const std::string& kind = "");
 
+    /// Adds all warnings of `others`, each once.
+    void append(const Warnings& others);
+
     /// One for each kind, in the order of their first warnings: the first warning and, in
     /// parentheses, the number of the others and the places of two of them.
     std::vector<std::string> sentences() const;

@@ -71,19 +71,19 @@ Facet facetOf(const Mesh& mesh, const Mesh::Triangle& triangle) {
     return facet;
 }
 
-/// Calls visit(facet) for every flat part of the scene.
-template <typename Visit>
-void forEachFacet(const Scene& scene, const Visit& visit) {
-    const auto shines = [&](uint32_t material) {
-        return scene.materials[material].emission != glm::dvec3(0.0);
-    };
+bool emits(const Material& material) { return material.emission != glm::dvec3(0.0); }
+
+/// Calls visit(facet) for every flat part of the scene but the triangles for which
+/// `leavesOut(mesh, triangle)` holds.
+template <typename LeavesOut, typename Visit>
+void forEachFacet(const Scene& scene, const LeavesOut& leavesOut, const Visit& visit) {
     for (size_t i = 0; i < scene.shapes.size(); ++i) {
         const Shape& shape = scene.shapes[i];
         size_t number = 0;
         const auto visitOne = [&](Facet facet, uint32_t material) {
             facet.shape = i;
             facet.number = number++;
-            facet.shines = shines(material);
+            facet.shines = emits(scene.materials[material]);
             visit(facet);
         };
         if (const auto* disk = std::get_if<Disk>(&shape.geometry)) {
@@ -98,7 +98,10 @@ void forEachFacet(const Scene& scene, const Visit& visit) {
             visitOne(endOfSolid(cone->worldFromObject, cone->height, radius), shape.material);
         } else if (const auto* mesh = std::get_if<Mesh>(&shape.geometry)) {
             for (const Mesh::Triangle& triangle : mesh->triangles)
-                visitOne(facetOf(*mesh, triangle), triangle.material);
+                if (leavesOut(*mesh, triangle))
+                    ++number;
+                else
+                    visitOne(facetOf(*mesh, triangle), triangle.material);
         }
     }
 }
@@ -139,6 +142,19 @@ bool isInPlaneOf(const Facet& light, const Facet& other, double tolerance) {
     });
 }
 
+/// Whether the first corner of the light is so far from the triangle's plane that isInPlaneOf is
+/// false; most triangles take no more than this.
+bool isFarFromPlaneOf(const Facet& light, const Mesh& mesh, const Mesh::Triangle& triangle,
+                      double tolerance) {
+    constexpr double kRounding = 2.0; // isInPlaneOf has a unit normal, which rounds
+    const glm::dvec3& a = mesh.positions[triangle.position[0]];
+    const glm::dvec3 normal = glm::cross(mesh.positions[triangle.position[1]] - a,
+                                         mesh.positions[triangle.position[2]] - a);
+    const double along = glm::dot(normal, light.polygon[0] - a);
+    const double most = kRounding * tolerance;
+    return along * along > most * most * glm::dot(normal, normal);
+}
+
 /// False for the bottom of a solid on a floor: the solid hides its own end and the floor below.
 bool canBeSeen(const Facet& facet, const glm::dvec3& camera) {
     return !facet.isOfSolid || glm::dot(facet.normal, camera - facet.polygon[0]) > 0.0;
@@ -161,28 +177,46 @@ void warn(const Scene& scene, Warnings& warnings, const Facet& light, const Face
 } // namespace
 
 void warnOfCoplanarLights(const Scene& scene, Warnings& warnings) {
-    std::vector<Facet> lights;
+    struct Light {
+        Facet facet;
+        double gap;
+    };
+    std::vector<Light> lights;
     double facets = 0.0;
-    forEachFacet(scene, [&](const Facet& facet) {
-        facets += 1.0;
-        if (facet.shines && canBeSeen(facet, scene.camera.position))
-            lights.push_back(facet);
-    });
-    if (static_cast<double>(lights.size()) * facets > kMostPairs)
+    forEachFacet(
+        scene,
+        [&](const Mesh&, const Mesh::Triangle& triangle) {
+            const bool shines = emits(scene.materials[triangle.material]);
+            facets += shines ? 0.0 : 1.0;
+            return !shines;
+        },
+        [&](const Facet& facet) {
+            facets += 1.0;
+            if (facet.shines && canBeSeen(facet, scene.camera.position))
+                lights.push_back(
+                    {facet, kGap * glm::distance(facet.polygon[0], scene.camera.position)});
+        });
+    if (lights.empty() || static_cast<double>(lights.size()) * facets > kMostPairs)
         return;
     std::set<size_t> coplanar;
-    forEachFacet(scene, [&](const Facet& other) {
-        if (!canBeSeen(other, scene.camera.position))
-            return;
-        for (const Facet& light : lights) {
-            const double gap = kGap * glm::distance(light.polygon[0], scene.camera.position);
-            if (!isItself(light, other) && isInPlaneOf(light, other, gap) &&
-                !coplanar.contains(light.shape) && overlap(light, other, gap)) {
-                coplanar.insert(light.shape);
-                warn(scene, warnings, light, other, gap);
+    forEachFacet(
+        scene,
+        [&](const Mesh& mesh, const Mesh::Triangle& triangle) {
+            return std::ranges::all_of(lights, [&](const Light& light) {
+                return isFarFromPlaneOf(light.facet, mesh, triangle, light.gap);
+            });
+        },
+        [&](const Facet& other) {
+            if (!canBeSeen(other, scene.camera.position))
+                return;
+            for (const auto& [light, gap] : lights) {
+                if (!isItself(light, other) && isInPlaneOf(light, other, gap) &&
+                    !coplanar.contains(light.shape) && overlap(light, other, gap)) {
+                    coplanar.insert(light.shape);
+                    warn(scene, warnings, light, other, gap);
+                }
             }
-        }
-    });
+        });
 }
 
 } // namespace calotype

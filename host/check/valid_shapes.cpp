@@ -1,6 +1,7 @@
 #include "check/valid_shapes.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -10,6 +11,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/error.h"
+#include "base/parallel_chunks.h"
 #include "check/require.h"
 #include "scene/place.h"
 
@@ -75,7 +77,9 @@ struct ShapeCheck {
         if (mesh.triangles.empty())
             throw SceneError(where, "has no triangles");
         requireVertices(mesh);
-        for (const Mesh::Triangle& triangle : mesh.triangles) {
+        if (trianglesAreValid(mesh))
+            return;
+        for (const Mesh::Triangle& triangle : mesh.triangles) { // finds the first fault
             if (!verticesExist(mesh, triangle))
                 throw SceneError(where, "has a triangle with a vertex that does not exist");
             if (!normalsAreUnit(mesh, triangle))
@@ -85,6 +89,22 @@ struct ShapeCheck {
     }
 
 private:
+    bool trianglesAreValid(const Mesh& mesh) const {
+        std::atomic<bool> areValid = true;
+        const size_t count = mesh.triangles.size();
+        constexpr size_t kWorthThreads = 65536; // a millisecond of work
+        parallelChunks(
+            count, count < kWorthThreads ? 1 : allCores(), [&](uint64_t first, uint64_t last) {
+                const std::span part(mesh.triangles.data() + first, last - first);
+                if (!std::ranges::all_of(part, [&](const Mesh::Triangle& triangle) {
+                        return verticesExist(mesh, triangle) && normalsAreUnit(mesh, triangle) &&
+                               triangle.material < scene.materials.size();
+                    }))
+                    areValid = false;
+            });
+        return areValid;
+    }
+
     void requireSolid(const RigidTransform& worldFromObject) const {
         requireMaterial(scene, shape.material, where);
         requireOrthonormal(worldFromObject.rotation, where);

@@ -1,5 +1,10 @@
 #include "check/validate.h"
 
+#include <memory>
+#include <vector>
+
+#include "base/parallel_for.h"
+#include "base/task_pool.h"
 #include "check/black_picture.h"
 #include "check/camera_precision.h"
 #include "check/coplanar_lights.h"
@@ -16,20 +21,31 @@
 
 namespace calotype {
 
+namespace {
+
+/// In the order of their warnings.
+constexpr void (*kChecks[])(const Scene& scene, Warnings& warnings) = {
+    warnOfExcessEnergy,    warnOfLightPrecision,   warnOfCoplanarLights,
+    warnOfCameraPrecision, warnOfTexturePrecision, warnOfThinQuadrics,
+    warnOfSmallShapes,     warnOfWinding,          warnOfBlackPicture};
+
+} // namespace
+
 void validate(const Scene& scene, Warnings& warnings) {
     requireValidCamera(scene);
     requireValidMaterials(scene);
     requireValidShapes(scene);
     requireRadianceInRange(scene);
-    warnOfExcessEnergy(scene, warnings);
-    warnOfLightPrecision(scene, warnings);
-    warnOfCoplanarLights(scene, warnings);
-    warnOfCameraPrecision(scene, warnings);
-    warnOfTexturePrecision(scene, warnings);
-    warnOfThinQuadrics(scene, warnings);
-    warnOfSmallShapes(scene, warnings);
-    warnOfWinding(scene, warnings);
-    warnOfBlackPicture(scene, warnings);
+    TaskPool pool(allCores());
+    std::vector<std::shared_ptr<TaskOf<Warnings>>> tasks;
+    for (const auto check : kChecks)
+        tasks.push_back(pool.add(0, [&scene, check](const OnProgress&) {
+            Warnings found;
+            check(scene, found);
+            return found;
+        }));
+    for (const auto& task : tasks)
+        warnings.append(pool.finish(*task));
 }
 
 } // namespace calotype

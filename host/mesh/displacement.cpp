@@ -77,9 +77,10 @@ public:
         : mesh_(std::move(mesh)), ofMaterial_(ofMaterial), sources_(heightSources(ofMaterial)),
           textures_(textures) {}
 
-    Mesh run() && {
+    Mesh run(SurfaceNormals normals) && {
         move();
-        followSurface();
+        if (normals == SurfaceNormals::Made)
+            followSurface();
         return std::move(mesh_);
     }
 
@@ -190,14 +191,15 @@ std::vector<Mesh::Triangle> withoutVainNormals(std::span<const Mesh::Triangle> t
 
 std::optional<Mesh> displace(const ObjectMesh& mesh,
                              std::span<const std::optional<Displacement>> ofMaterial,
-                             std::span<const Texture> textures, const std::string& name) {
+                             std::span<const Texture> textures, const std::string& name,
+                             SurfaceNormals normals) {
     const Displacement* most = finest(mesh.triangles, ofMaterial);
     if (!most)
         return std::nullopt;
     checkCount(mesh.triangles.size(), *most, name);
     const auto triangles = withoutVainNormals(mesh.triangles, ofMaterial);
     const ObjectMesh source{mesh.positions, mesh.normals, mesh.uvs, triangles};
-    return Displacer(subdivide(source, most->subdivide), ofMaterial, textures).run();
+    return Displacer(subdivide(source, most->subdivide), ofMaterial, textures).run(normals);
 }
 
 } // namespace calotype

@@ -26,6 +26,10 @@ struct Displacement {
 /// memory until the mesh is in the scene (measured): less than 3 GiB in all.
 constexpr uint64_t kMostDisplacedTriangles = uint64_t{1} << 24;
 
+/// Whether displaced triangles get the normals of the displaced surface. Without them their normals
+/// are of no use: for meshes whose normals are made later.
+enum class SurfaceNormals : uint8_t { Made, LeftOut };
+
 /// The mesh in object space, subdivided and displaced; nullopt if no triangle has a displaced
 /// material. `ofMaterial` is indexed by Mesh::Triangle::material; materials beyond its end are not
 /// displaced.
@@ -43,6 +47,7 @@ constexpr uint64_t kMostDisplacedTriangles = uint64_t{1} << 24;
 /// kMostDisplacedTriangles, before it allocates memory. `name` is the mesh's, for that message.
 std::optional<Mesh> displace(const ObjectMesh& mesh,
                              std::span<const std::optional<Displacement>> ofMaterial,
-                             std::span<const Texture> textures, const std::string& name);
+                             std::span<const Texture> textures, const std::string& name,
+                             SurfaceNormals normals = SurfaceNormals::Made);
 
 } // namespace calotype

@@ -15,10 +15,17 @@ namespace calotype {
 template <typename Vector>
 class DistinctValues {
 public:
+    /// Makes room for `count` values in all, so that adding them moves nothing.
+    void reserve(size_t count) {
+        values_.reserve(count);
+        if (2 * count >= slots_.size())
+            resize(std::bit_ceil(2 * count + 1));
+    }
+
     /// The number of `value`; adds it if it is new.
     uint32_t add(const Vector& value) {
         if (2 * values_.size() >= slots_.size())
-            grow();
+            resize(std::max(kFewestSlots, 2 * slots_.size()));
         uint32_t& slot = slotOf(value);
         if (slot == kEmpty) {
             slot = static_cast<uint32_t>(values_.size());
@@ -29,6 +36,7 @@ public:
 
     /// Adds all `values` and returns their numbers.
     std::vector<uint32_t> addAll(std::span<const Vector> values) {
+        reserve(values_.size() + values.size());
         std::vector<uint32_t> numbers;
         numbers.reserve(values.size());
         for (const Vector& value : values)
@@ -65,8 +73,9 @@ private:
         return slots_[i];
     }
 
-    void grow() {
-        slots_.assign(std::max(kFewestSlots, 2 * slots_.size()), kEmpty);
+    /// `slots` is a power of two.
+    void resize(size_t slots) {
+        slots_.assign(slots, kEmpty);
         for (size_t i = 0; i < values_.size(); ++i)
             slotOf(values_[i]) = static_cast<uint32_t>(i);
     }

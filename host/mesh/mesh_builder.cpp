@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/error.h"
+#include "base/parallel_chunks.h"
 #include "mesh/area_normals.h"
 #include "mesh/smooth_normals.h"
 
@@ -32,7 +33,9 @@ template <typename Value>
 class Compaction {
 public:
     explicit Compaction(std::span<const Value> source)
-        : source_(source), newIndex_(source.size(), kUnused) {}
+        : source_(source), newIndex_(source.size(), kUnused) {
+        values_.reserve(source.size());
+    }
 
     /// The new index of `old`; `convert` makes the new value at the first use.
     template <typename Convert>
@@ -53,33 +56,53 @@ private:
     std::vector<Value> values_;
 };
 
+/// Threads for work on so many positions or triangles.
+uint32_t threadsFor(size_t count) {
+    constexpr size_t kWorthThreads = 16384; // a millisecond of work
+    return count < kWorthThreads ? 1 : allCores();
+}
+
+std::vector<glm::dvec3> inWorld(std::span<const glm::dvec3> positions,
+                                const AffineTransform& worldFromObject) {
+    std::vector<glm::dvec3> result(positions.size());
+    parallelChunks(positions.size(), threadsFor(positions.size()),
+                   [&](uint64_t first, uint64_t last) {
+                       for (uint64_t i = first; i < last; ++i)
+                           result[i] = worldFromObject.point(positions[i]);
+                   });
+    return result;
+}
+
 /// Transforms triangles from object space to world space.
 class MeshBuilder {
 public:
     MeshBuilder(const ObjectMesh& source, const AffineTransform& worldFromObject, bool keepNormals)
-        : source_(source), worldFromObject_(worldFromObject),
+        : source_(source), world_(inWorld(source.positions, worldFromObject)),
           worldNormal_(normalMatrix(worldFromObject.linear)),
           mirrored_(isMirroring(worldFromObject.linear)), keepNormals_(keepNormals),
-          positions_(source.positions), normals_(source.normals), uvs_(source.uvs) {
+          extents_(source.triangles.size()), positions_(world_), normals_(source.normals),
+          uvs_(source.uvs) {
+        parallelChunks(extents_.size(), threadsFor(extents_.size()),
+                       [&](uint64_t first, uint64_t last) {
+                           for (uint64_t i = first; i < last; ++i)
+                               extents_[i] = extentOf(source.triangles[i]);
+                       });
         triangles_.reserve(source.triangles.size());
     }
 
-    /// Throws SceneError at `where` if a vertex is no longer finite.
-    void add(Mesh::Triangle triangle, const std::string& where) {
+    /// Adds the triangle `index`. Throws SceneError at `where` if a vertex is no longer finite.
+    void add(size_t index, const std::string& where) {
+        if (extents_[index] == Extent::Infinite)
+            throw SceneError(where, "a vertex lies beyond the range of finite numbers");
+        if (extents_[index] == Extent::NoArea) {
+            ++dropped_;
+            return;
+        }
+        Mesh::Triangle triangle = source_.triangles[index];
         if (mirrored_) {
             std::swap(triangle.position[1], triangle.position[2]);
             std::swap(triangle.normal[1], triangle.normal[2]);
             std::swap(triangle.uv[1], triangle.uv[2]);
-        }
-        glm::dvec3 corner[3];
-        for (int k = 0; k < 3; ++k) {
-            corner[k] = worldFromObject_.point(source_.positions[triangle.position[k]]);
-            if (!isFinite(corner[k]))
-                throw SceneError(where, "a vertex lies beyond the range of finite numbers");
-        }
-        if (scaledNormal(corner[0], corner[1], corner[2]) == glm::dvec3(0.0)) {
-            ++dropped_;
-            return;
         }
         const bool hasNormals = keepNormals_ && triangle.normal[0] != Mesh::kNoNormal;
         const bool hasUvs = triangle.uv[0] != Mesh::kNoUv;
@@ -87,8 +110,8 @@ public:
             uint32_t& position = triangle.position[k];
             uint32_t& normal = triangle.normal[k];
             uint32_t& uv = triangle.uv[k];
-            position = positions_.add(position, [&](const auto&) { return corner[k]; });
-            normal = hasNormals ? normals_.add(normal, [&](const auto& n) { return inWorld(n); })
+            position = positions_.add(position, [](const auto& moved) { return moved; });
+            normal = hasNormals ? normals_.add(normal, [&](const auto& n) { return turned(n); })
                                 : Mesh::kNoNormal;
             uv = hasUvs ? uvs_.add(uv, [](const auto& given) { return given; }) : Mesh::kNoUv;
         }
@@ -102,15 +125,28 @@ public:
     }
 
 private:
-    glm::dvec3 inWorld(const glm::dvec3& normal) const {
+    enum class Extent : uint8_t { Area, NoArea, Infinite };
+
+    /// In the order of the corners after a mirroring, on which rounding depends.
+    Extent extentOf(const Mesh::Triangle& triangle) const {
+        const glm::dvec3& a = world_[triangle.position[0]];
+        const glm::dvec3& b = world_[triangle.position[mirrored_ ? 2 : 1]];
+        const glm::dvec3& c = world_[triangle.position[mirrored_ ? 1 : 2]];
+        if (!isFinite(a) || !isFinite(b) || !isFinite(c))
+            return Extent::Infinite;
+        return scaledNormal(a, b, c) == glm::dvec3(0.0) ? Extent::NoArea : Extent::Area;
+    }
+
+    glm::dvec3 turned(const glm::dvec3& normal) const {
         return glm::normalize(worldNormal_ * (normal / largestComponent(normal)));
     }
 
     const ObjectMesh& source_;
-    const AffineTransform& worldFromObject_;
+    std::vector<glm::dvec3> world_; ///< the positions
     glm::dmat3 worldNormal_;
     bool mirrored_;
     bool keepNormals_;
+    std::vector<Extent> extents_; ///< of the triangles
     Compaction<glm::dvec3> positions_;
     Compaction<glm::dvec3> normals_;
     Compaction<glm::dvec2> uvs_;
@@ -125,7 +161,7 @@ MeshAndDropped buildMesh(const ObjectMesh& source, const AffineTransform& worldF
     MeshBuilder builder(source, worldFromObject, mode == NormalMode::Auto);
     for (size_t i = 0; i < source.triangles.size(); ++i) {
         reportStep(onProgress, i, source.triangles.size());
-        builder.add(source.triangles[i], where);
+        builder.add(i, where);
     }
     MeshAndDropped result = std::move(builder).take();
     if (result.mesh.triangles.empty())

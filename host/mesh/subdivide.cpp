@@ -1,16 +1,25 @@
 #include "mesh/subdivide.h"
 
 #include <algorithm>
+#include <array>
+#include <future>
 #include <limits>
 #include <vector>
 
 #include <glm/geometric.hpp>
 
+#include "base/parallel_for.h"
 #include "mesh/area_normals.h"
 #include "mesh/distinct_values.h"
 
 namespace calotype {
 namespace {
+
+/// Halved first to avoid overflow; equal from both ends.
+template <typename Vector>
+Vector middlePoint(const Vector& a, const Vector& b) {
+    return 0.5 * a + 0.5 * b;
+}
 
 /// Zero if the two are opposite; no corner may keep a zero normal.
 glm::dvec3 middleNormal(const glm::dvec3& a, const glm::dvec3& b) {
@@ -45,10 +54,19 @@ public:
     }
 
     void step() {
+        // Nearly all of the time is taken by numbering the middles: the positions' on a thread of
+        // their own.
+        const bool forks = triangles_.size() >= kWorthAThread && allCores() > 1;
+        auto positions = std::async(forks ? std::launch::async : std::launch::deferred, [&] {
+            return middlesOf(positions_, &Mesh::Triangle::position, middlePoint<glm::dvec3>);
+        });
+        const auto normal = middlesOf(normals_, &Mesh::Triangle::normal, middleNormal);
+        const auto uv = middlesOf(uvs_, &Mesh::Triangle::uv, middlePoint<glm::dvec2>);
+        const auto position = positions.get();
         std::vector<Mesh::Triangle> finer;
         finer.reserve(4 * triangles_.size());
-        for (const Mesh::Triangle& triangle : triangles_)
-            split(triangle, finer);
+        for (size_t i = 0; i < triangles_.size(); ++i)
+            split(triangles_[i], {position[i], normal[i], uv[i]}, finer);
         triangles_ = std::move(finer);
     }
 
@@ -58,59 +76,60 @@ public:
     }
 
 private:
-    /// The corners of the four triangles: one at each corner and one in the middle.
-    static constexpr int kCorners[4][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {4, 5, 3}};
+    static constexpr size_t kWorthAThread = 8192; ///< triangles: a millisecond of work
+    static constexpr uint32_t kNone = Mesh::kNoUv;
+    static_assert(Mesh::kNoNormal == kNone);
 
-    /// The three corners and, as 3 to 5, the middles of the edges 01, 12 and 20.
-    template <typename Middle>
-    static void refine(const uint32_t (&corners)[3], Middle&& middle, uint32_t (&six)[6]) {
-        for (int k = 0; k < 3; ++k) {
-            six[k] = corners[k];
-            six[3 + k] = middle(corners[k], corners[(k + 1) % 3]);
+    /// The numbers of the middles of a triangle's edges 01, 12 and 20; or kNone.
+    using Middles = std::array<uint32_t, 3>;
+
+    struct MiddlesOfTriangle {
+        const Middles& position;
+        const Middles& normal;
+        const Middles& uv;
+    };
+
+    /// For each triangle. `corners` are numbers in `values`, to which the middles are added.
+    template <typename Vector>
+    std::vector<Middles> middlesOf(DistinctValues<Vector>& values,
+                                   uint32_t (Mesh::Triangle::*corners)[3],
+                                   Vector (*middle)(const Vector&, const Vector&)) const {
+        std::vector<Middles> result(triangles_.size(), {kNone, kNone, kNone});
+        if (!values.values().empty()) // two triangles have about three edges
+            values.reserve(values.values().size() + 2 * triangles_.size());
+        for (size_t i = 0; i < triangles_.size(); ++i) {
+            const auto& corner = triangles_[i].*corners;
+            for (int k = 0; k < 3 && corner[0] != kNone; ++k)
+                result[i][k] = values.add(middle(values[corner[k]], values[corner[(k + 1) % 3]]));
         }
+        return result;
     }
 
-    void split(const Mesh::Triangle& triangle, std::vector<Mesh::Triangle>& finer) {
-        const bool hasNormals = triangle.normal[0] != Mesh::kNoNormal;
-        const bool hasUvs = triangle.uv[0] != Mesh::kNoUv;
-        uint32_t position[6];
-        uint32_t normal[6];
-        uint32_t uv[6];
-        refine(
-            triangle.position,
-            [&](uint32_t a, uint32_t b) {
-                // Halved first to avoid overflow; equal from both sides of an edge.
-                return positions_.add(0.5 * positions_[a] + 0.5 * positions_[b]);
-            },
-            position);
-        if (hasNormals) {
-            refine(
-                triangle.normal,
-                [&](uint32_t a, uint32_t b) {
-                    return normals_.add(middleNormal(normals_[a], normals_[b]));
-                },
-                normal);
-        }
-        if (hasUvs) {
-            refine(
-                triangle.uv,
-                [&](uint32_t a, uint32_t b) { return uvs_.add(0.5 * uvs_[a] + 0.5 * uvs_[b]); },
-                uv);
-        }
-        for (const auto& corners : kCorners) {
+    void split(const Mesh::Triangle& triangle, const MiddlesOfTriangle& middles,
+               std::vector<Mesh::Triangle>& finer) const {
+        // At each corner one triangle, and one in the middle.
+        const auto add = [&](int first, int second, int third) {
             Mesh::Triangle child = triangle;
+            const int six[3] = {first, second, third};
             for (int k = 0; k < 3; ++k) {
-                child.position[k] = position[corners[k]];
-                child.normal[k] = hasNormals ? normal[corners[k]] : Mesh::kNoNormal;
-                child.uv[k] = hasUvs ? uv[corners[k]] : Mesh::kNoUv;
+                const auto choose = [&](const uint32_t(&corners)[3], const Middles& middle) {
+                    return six[k] < 3 ? corners[six[k]] : middle[six[k] - 3];
+                };
+                child.position[k] = choose(triangle.position, middles.position);
+                child.normal[k] = choose(triangle.normal, middles.normal);
+                child.uv[k] = choose(triangle.uv, middles.uv);
             }
-            if (hasNormals && std::ranges::any_of(child.normal, [&](uint32_t n) {
+            if (child.normal[0] != kNone && std::ranges::any_of(child.normal, [&](uint32_t n) {
                     return normals_[n] == glm::dvec3(0.0);
                 })) {
-                std::ranges::fill(child.normal, Mesh::kNoNormal);
+                std::ranges::fill(child.normal, kNone);
             }
             finer.push_back(child);
-        }
+        };
+        add(0, 3, 5);
+        add(3, 1, 4);
+        add(5, 4, 2);
+        add(4, 5, 3);
     }
 
     std::vector<Mesh::Triangle> triangles_;

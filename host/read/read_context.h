@@ -10,8 +10,11 @@
 
 #include "base/content_hash.h"
 #include "base/find_file.h"
+#include "base/parallel_for.h"
 #include "base/read_file.h"
+#include "base/task_pool.h"
 #include "base/warnings.h"
+#include "read/files_ahead.h"
 #include "read/load.h"
 #include "read/reader.h"
 #include "read/texture_budget.h"
@@ -38,6 +41,9 @@ struct ReadContext {
     /// that cannot be read. Each is read once for all textures.
     std::map<std::string, std::shared_ptr<const TexelImage>> images = {};
 
+    FilesAhead<TexelImage> imagesAhead = {};
+    TaskPool tasks{allCores()}; ///< they use nothing of the context
+
     /// The scene with its hash, and the warnings.
     SceneAndNotes finish() && {
         scene.hash = hash.value();
@@ -45,14 +51,28 @@ struct ReadContext {
     }
 
     /// The bytes of a file that the scene names. They belong to the scene's hash, and the file to
-    /// those that no output may replace, so files are read by this function only. Throws SceneError
-    /// at `where` if it cannot be read.
+    /// those that no output may replace, so files are read by this function and takeAhead only.
+    /// Throws SceneError at `where` if it cannot be read.
     std::string read(const std::string& path, const std::string& where) {
-        files.push_back(path);
+        list(path);
         std::string bytes = readFile(path, where);
         hash.add(bytes);
         return bytes;
     }
+
+    /// The contents of a file that was started in `ahead`; nullptr if it must be read.
+    template <typename Contents>
+    std::shared_ptr<const Contents> takeAhead(const std::string& path, FilesAhead<Contents>& ahead,
+                                              const OnProgress& onProgress = {}) {
+        auto file = ahead.take(path, tasks, onProgress);
+        if (!file)
+            return nullptr;
+        list(path);
+        hash.add(file->bytes);
+        return std::move(file->contents);
+    }
+
+    void list(const std::string& path) { files.push_back(path); }
 
     uint32_t addMaterial(Material material) {
         scene.materials.push_back(std::move(material));

@@ -27,8 +27,10 @@ void TextureBudget::add(const std::string& path, bool isUploaded) {
         return;
     const auto image = sizeOfTexelImage(path);
     constexpr uint32_t kMost = ImageTexture::kLargestSide;
-    if (image && image->size.width <= kMost && image->size.height <= kMost)
+    if (image && image->size.width <= kMost && image->size.height <= kMost) {
         counted.image = *image;
+        new_.push_back(path);
+    }
 }
 
 void TextureBudget::require(const LoadOptions& options) const {

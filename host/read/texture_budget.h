@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "image/texel_image_size.h"
 #include "read/load.h"
@@ -21,6 +23,9 @@ public:
     /// cannot; the message has both numbers and the largest files.
     void require(const LoadOptions& options) const;
 
+    /// The files whose images are counted, without those of earlier calls.
+    std::vector<std::string> takeNew() { return std::exchange(new_, {}); }
+
 private:
     struct Entry {
         TexelImageSize image;
@@ -29,6 +34,7 @@ private:
 
     std::string largestFiles() const;
 
+    std::vector<std::string> new_;
     std::map<std::string, Entry> entries_; ///< by path; the image of unreadable ones is empty
 };
 

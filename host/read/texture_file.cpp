@@ -50,11 +50,13 @@ std::shared_ptr<const TexelImage> readImageFile(const std::string& path, const s
     const uintmax_t size = std::filesystem::file_size(path, unknown);
     if (!unknown && size > kLargestFile)
         throw SceneError(path, "the image file is larger than 2 GiB");
-    context.progress(path, 0.0);
-    const std::string bytes = context.read(path, where);
-    auto image =
-        std::make_shared<TexelImage>(readTexelImage(bytes, ImageTexture::kLargestSide, path));
-    context.progress(path, 1.0);
+    const auto onProgress = [&](double done) { context.progress(path, done); };
+    onProgress(0.0);
+    auto image = context.takeAhead(path, context.imagesAhead, onProgress);
+    if (!image)
+        image = std::make_shared<const TexelImage>(
+            readTexelImage(context.read(path, where), ImageTexture::kLargestSide, path));
+    onProgress(1.0);
     return image;
 }
 
@@ -90,6 +92,15 @@ void countTexture(const std::string& name, const std::filesystem::path& director
                   ReadContext& context) {
     if (const auto path = context.finder.find(directory, name))
         context.textureBudget.add(truePath(*path), isUploaded);
+}
+
+void startTextures(ReadContext& context) {
+    context.textureBudget.require(context.options);
+    for (const std::string& path : context.textureBudget.takeNew())
+        context.imagesAhead.start(
+            path, context.tasks, [path](std::string_view bytes, const OnProgress&) {
+                return readTexelImage(bytes, ImageTexture::kLargestSide, path);
+            });
 }
 
 std::shared_ptr<const TexelImage> magentaImage() {

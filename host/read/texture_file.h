@@ -21,9 +21,13 @@ TextureFile readTextureFile(const std::string& name, const std::filesystem::path
                             const std::string& where, ReadContext& context);
 
 /// Counts the image, if it is there, for the budget of the context. Readers do this for all images
-/// of a file and check the budget before they read the first.
+/// of a file, and call startTextures before they read the first.
 void countTexture(const std::string& name, const std::filesystem::path& directory, bool isUploaded,
                   ReadContext& context);
+
+/// Throws GpuError or Error if the images that were counted exceed the memory (see
+/// TextureBudget::require). Starts to read and decode them on other threads.
+void startTextures(ReadContext& context);
 
 /// One texel of magenta, shown instead of an image that is missing or cannot be read.
 std::shared_ptr<const TexelImage> magentaImage();

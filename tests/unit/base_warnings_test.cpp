@@ -34,6 +34,20 @@ TEST(WarningsTest, OfOneKindAreOneSentenceWithTheFirstPlaces) {
     EXPECT_EQ(warnings.sentences()[1], "q: another");
 }
 
+TEST(WarningsTest, AppendedOnesFollowEachOnceWithTheirKinds) {
+    Warnings first;
+    first.add("p1", "color 1 is odd", "odd colors");
+    first.add("q", "another");
+    Warnings second;
+    second.add("q", "another");
+    second.add("r", "a third");
+    second.add("p2", "color 2 is odd", "odd colors");
+    first.append(second);
+    EXPECT_EQ(first.sentences(),
+              (std::vector<std::string>{"p1: color 1 is odd (and 1 more of this kind, at p2)",
+                                        "q: another", "r: a third"}));
+}
+
 TEST(WarningsTest, EqualMessagesAreOfOneKind) {
     Warnings warnings;
     for (const char* place : {"a", "b", "b", "a"})

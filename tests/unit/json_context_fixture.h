@@ -2,11 +2,13 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
 #include "read/json/json_context.h"
 #include "read/json/materials.h"
+#include "read/json/shapes.h"
 #include "scene_files.h"
 
 namespace calotype::test {
@@ -26,6 +28,12 @@ public:
     void readMaterialsFrom(const std::string& materials) {
         json_ = nlohmann::json::parse(materials);
         readMaterials(JsonValue(json_, file_, "/materials"), context);
+    }
+
+    /// Reads one of "shapes", the first.
+    Shape readShape(const std::string& shape) {
+        readShapes(value("[" + shape + "]", "/shapes"), context);
+        return std::move(context.scene.shapes.back());
     }
 
     /// A value at `pointer` of the file "scene.json".

@@ -5,7 +5,6 @@
 #include <glm/geometric.hpp>
 
 #include "json_context_fixture.h"
-#include "read/json/shapes.h"
 
 namespace calotype::test {
 namespace {
@@ -24,7 +23,7 @@ protected:
 
     Mesh read(const std::string& keys, const std::string& file = "m.obj") {
         const std::string shape = R"({"type": "mesh", "file": ")" + file + "\", " + keys + "}";
-        return std::get<Mesh>(readShape(value(shape, "/shapes/0"), context).geometry);
+        return std::get<Mesh>(readShape(shape).geometry);
     }
 
     /// Of all positions, which lie in one plane y = constant.
@@ -107,13 +106,11 @@ TEST_F(SceneDisplacedMeshTest, WarnsWhereItReadsMissingCoordinates) {
 }
 
 TEST_F(SceneDisplacedMeshTest, OtherShapesStayAndAreWarnedOf) {
-    readShape(value(R"({"type": "sphere", "radius": 1, "material": "raised"})", "/shapes/3"),
-              context);
-    readShape(value(R"({"type": "sphere", "radius": 1, "material": "plain"})", "/shapes/4"),
-              context);
+    readShape(R"({"type": "sphere", "radius": 1, "material": "raised"})");
+    readShape(R"({"type": "sphere", "radius": 1, "material": "plain"})");
     ASSERT_EQ(context.warnings.sentences().size(), 1u);
     EXPECT_EQ(context.warnings.sentences()[0],
-              "/scene.json: /shapes/3: the displacement of the material \"raised\" moves meshes "
+              "/scene.json: /shapes/0: the displacement of the material \"raised\" moves meshes "
               "only; this shape stays as it is");
 }
 

@@ -87,5 +87,67 @@ TEST_F(ReadFilesTest, AnImageIsReadOnceInAllSpellings) {
     EXPECT_EQ(images.size(), 1u);
 }
 
+// Meshes are built on other threads, while the reader goes on.
+TEST_F(ReadFilesTest, TheFirstErrorIsThatOfTheFirstShape) {
+    const std::string mesh = R"({"type": "mesh", "file": "chair.obj", "material": "wall")";
+    for (int repeat = 0; repeat < 20; ++repeat) {
+        nlohmann::json scene = sceneWithShape(
+            mesh + R"(, "transform": {"translate": [1e308, 0, 0], "scale": 1e308}})");
+        scene["shapes"].push_back(nlohmann::json::parse(mesh + "}"));
+        scene["shapes"].push_back(nlohmann::json::parse(R"({"type": "mesh", "file": "none.obj"})"));
+        const SceneError error = errorOf([&] { files_.load(scene); });
+        expectError(error, "scene.json: /shapes/0/file", "beyond the range of finite numbers");
+        scene["shapes"].erase(0);
+        expectError(errorOf([&] { files_.load(scene); }), "scene.json: /shapes/1/file", "none.obj");
+    }
+}
+
+TEST_F(ReadFilesTest, WarningsAreInTheOrderOfTheShapes) {
+    files_.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 1 2\n");
+    files_.write("line.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\n");
+    nlohmann::json scene =
+        sceneWithShape(R"({"type": "mesh", "file": "flat.obj", "material": "wall"})");
+    scene["shapes"].push_back(
+        nlohmann::json::parse(R"({"type": "mesh", "file": "line.obj", "material": "wall"})"));
+    const auto warnings = files_.load(scene).warnings;
+    const auto placeOf = [&](const char* text) {
+        return std::ranges::find_if(warnings,
+                                    [&](const std::string& warning) {
+                                        return warning.find(text) != std::string::npos;
+                                    }) -
+               warnings.begin();
+    };
+    ASSERT_LT(placeOf("statements that are not rendered"), std::ssize(warnings));
+    EXPECT_LT(placeOf("have no area"), placeOf("statements that are not rendered"));
+}
+
+// Files are read ahead of their turn; the hash is that of their order in the scene nevertheless.
+TEST_F(ReadFilesTest, TheHashAndTheListAreAlwaysTheSame) {
+    nlohmann::json scene = sceneWithShape(R"({"type": "mesh", "file": "chair.obj"})");
+    for (const char* name : {"alpha", "bump", "color", "ks", "plain"})
+        scene["textures"][name] = {{"type", "image"}, {"file", std::string(name) + ".png"}};
+    files_.write("ks.png", "no image");
+    const std::string path = files_.write("s.json", scene.dump());
+    LoadOptions options;
+    options.missingTextures = MissingTextures::Warn;
+    const LoadedScene first = loadScene(path, options);
+    for (int repeat = 0; repeat < 20; ++repeat) {
+        const LoadedScene again = loadScene(path, options);
+        EXPECT_EQ(again->hash, first->hash);
+        EXPECT_EQ(again.files(), first.files());
+        EXPECT_EQ(again->warnings, first->warnings);
+    }
+}
+
+TEST_F(ReadFilesTest, TheHashDependsOnFilesThatAreReadAhead) {
+    nlohmann::json scene =
+        sceneWithShape(R"({"type": "mesh", "file": "m.obj", "material": "wall"})");
+    const std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    files_.write("m.obj", text);
+    const uint64_t first = files_.load(scene).hash;
+    files_.write("m.obj", text + "# changed");
+    EXPECT_NE(files_.load(scene).hash, first);
+}
+
 } // namespace
 } // namespace calotype::test

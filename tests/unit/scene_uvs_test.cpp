@@ -1,7 +1,6 @@
 // Texture coordinates from the scene file and from OBJ files, to the corners of triangles.
 
 #include "json_context_fixture.h"
-#include "read/json/shapes.h"
 #include "read/obj/obj_file.h"
 
 namespace calotype::test {
@@ -33,9 +32,7 @@ protected:
                               "tiled": {"type": "diffuse", "color": "tiles"}})");
     }
 
-    Mesh read(const std::string& shape) {
-        return std::get<Mesh>(readShape(value(shape, "/shapes/0"), context).geometry);
-    }
+    Mesh read(const std::string& shape) { return std::get<Mesh>(readShape(shape).geometry); }
 
     static constexpr const char* kQuad =
         R"({"type": "quad", "vertices": [[0, 0, 0], [1, 0, 0], [1, 2, 0], [0, 2, 0]],

@@ -1,10 +1,14 @@
 #include "read/json/mesh.h"
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include <nlohmann/json.hpp>
 
 #include "read/json/displacement.h"
 #include "read/json/mesh_materials.h"
@@ -17,12 +21,18 @@ namespace {
 /// In the order of NormalMode.
 const std::array<std::string, 3> kNormalModes = {"auto", "smooth", "flat"};
 
-/// By material: that of the mesh for all materials, or else that of each material.
+/// By material: that of the mesh for all materials, or else that of each material; empty if none of
+/// `used` has one.
 std::vector<std::optional<Displacement>> readDisplacements(const JsonObject& mesh,
+                                                           const std::vector<uint32_t>& used,
                                                            const JsonContext& context) {
     if (const auto own = mesh.optional("displacement"))
         return {context.scene.materials.size(), readDisplacement(*own, context)};
-    return context.displacements;
+    const auto& displacements = context.displacements;
+    const bool anyMoves = std::ranges::any_of(used, [&](uint32_t material) {
+        return material < displacements.size() && displacements[material];
+    });
+    return anyMoves ? displacements : std::vector<std::optional<Displacement>>();
 }
 
 } // namespace
@@ -49,7 +59,16 @@ std::vector<JsonKey> meshKeys() {
 
 JsonRule meshMaterialRule() { return exclude("material", "materials"); }
 
-Mesh readMesh(const JsonObject& object, JsonContext& context) {
+void startMeshFiles(const JsonValue& shapes, JsonContext& context) {
+    if (!shapes.json().is_array())
+        return;
+    for (const nlohmann::json& shape : shapes.json())
+        if (shape.is_object() && shape.contains("file") && shape["file"].is_string())
+            startObj((context.directory / shape["file"].get<std::string>()).string(), context.objs,
+                     context);
+}
+
+BegunObjMesh readMesh(const JsonObject& object, JsonContext& context) {
     const JsonValue file = object.required("file");
     const std::string path = (context.directory / file.text()).string();
     ObjMeshInput input{.path = path,
@@ -60,9 +79,8 @@ Mesh readMesh(const JsonObject& object, JsonContext& context) {
     input.normals = static_cast<NormalMode>(object.choice("normals", kNormalModes, 0));
     const std::shared_ptr<const ObjFile> obj = readObj(path, file.where(), context.objs, context);
     input.materials = resolveMeshMaterials(object, *obj, path, context);
-    const auto displacements = readDisplacements(object, context);
-    input.displacements = displacements;
-    return buildObjMesh(*obj, input, context);
+    input.displacements = readDisplacements(object, input.materials, context);
+    return beginObjMesh(obj, std::move(input), context);
 }
 
 } // namespace calotype

@@ -13,6 +13,7 @@
 #include "read/json/json_context.h"
 #include "read/json/lights.h"
 #include "read/json/materials.h"
+#include "read/json/mesh.h"
 #include "read/json/object.h"
 #include "read/json/override.h"
 #include "read/json/schema_text.h"
@@ -56,17 +57,16 @@ void readScene(const JsonObject& root, JsonContext& context) {
         scene.render = readRender(*render);
     if (const auto background = root.optional("background"))
         scene.background = readColor(*background, ranges::kRadiance);
+    if (const auto shapes = root.optional("shapes"))
+        startMeshFiles(*shapes, context);
     if (const auto textures = root.optional("textures")) {
         requireMemoryForTextures(*textures, root.optional("materials"), context);
         readTextures(*textures, context);
     }
     if (const auto materials = root.optional("materials"))
         readMaterials(*materials, context);
-    if (const auto shapes = root.optional("shapes")) {
-        size_t index = 0;
-        for (const JsonValue& shape : shapes->array())
-            scene.shapes.push_back(readShape(shape, index++, context));
-    }
+    if (const auto shapes = root.optional("shapes"))
+        readShapes(*shapes, context);
     if (const auto lights = root.optional("lights")) {
         size_t index = 0;
         for (const JsonValue& light : lights->array())

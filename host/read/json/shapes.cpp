@@ -1,6 +1,8 @@
 #include "read/json/shapes.h"
 
 #include <cstddef>
+#include <exception>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -56,20 +58,25 @@ void warnOfDisplacement(const Shape& shape, JsonContext& context) {
     }
 }
 
-} // namespace
+/// A shape without the mesh that is being built for it, if any, and the warnings about it so far.
+struct BegunShape {
+    Shape shape;
+    std::optional<BegunObjMesh> mesh;
+    Warnings warnings;
+};
 
-JsonType shapeType() { return anyOf(shapeTypes(), "shape"); }
-
-Shape readShape(const JsonValue& value, size_t index, JsonContext& context) {
+/// `index` is that in the list of shapes, for the default of its name.
+BegunShape beginShape(const JsonValue& value, size_t index, JsonContext& context) {
     const auto type = static_cast<ShapeType>(readType(value, shapeTypes()));
     const JsonObject object(value, shapeTypes()[static_cast<size_t>(type)]);
-    Shape shape;
+    BegunShape begun;
+    Shape& shape = begun.shape;
     shape.place = value.where();
     shape.name = readObjectName(object, shapeTypes()[static_cast<size_t>(type)].name, index);
     if (type == ShapeType::kMesh) {
-        shape.geometry = readMesh(object, context);
+        begun.mesh = readMesh(object, context);
         shape.file = object.required("file").text();
-        return shape;
+        return begun;
     }
     shape.material = findMaterial(object.required("material"), context);
     warnOfDisplacement(shape, context);
@@ -95,7 +102,40 @@ Shape readShape(const JsonValue& value, size_t index, JsonContext& context) {
     case ShapeType::kMesh:
         break;
     }
-    return shape;
+    return begun;
+}
+
+/// Adds a shape to the scene, and its warnings.
+void addShape(BegunShape& begun, JsonContext& context) {
+    context.warnings.append(begun.warnings);
+    if (begun.mesh)
+        begun.shape.geometry = finishObjMesh(*begun.mesh, context);
+    context.scene.shapes.push_back(std::move(begun.shape));
+}
+
+} // namespace
+
+JsonType shapeType() { return anyOf(shapeTypes(), "shape"); }
+
+void readShapes(const JsonValue& value, JsonContext& context) {
+    // Meshes are built on other threads while further shapes are read. Warnings and the first error
+    // are in the order of the shapes nevertheless.
+    std::vector<BegunShape> begun;
+    std::exception_ptr failure;
+    Warnings before = std::exchange(context.warnings, {});
+    try {
+        for (const JsonValue& shape : value.array()) {
+            begun.push_back(beginShape(shape, begun.size(), context));
+            begun.back().warnings = std::exchange(context.warnings, {});
+        }
+    } catch (...) {
+        failure = std::current_exception();
+    }
+    context.warnings = std::move(before);
+    for (BegunShape& shape : begun)
+        addShape(shape, context);
+    if (failure)
+        std::rethrow_exception(failure);
 }
 
 } // namespace calotype

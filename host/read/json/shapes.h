@@ -7,7 +7,8 @@ namespace calotype {
 
 /// An element of the scene file's "shapes".
 JsonType shapeType();
-/// `index` is that in the list of shapes, for the default of its name.
-Shape readShape(const JsonValue& value, size_t index, JsonContext& context);
+
+/// Reads the scene file's "shapes" into Scene::shapes.
+void readShapes(const JsonValue& value, JsonContext& context);
 
 } // namespace calotype

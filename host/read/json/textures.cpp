@@ -114,7 +114,7 @@ void requireMemoryForTextures(const JsonValue& textures, const std::optional<Jso
         if (texture.is_object() && texture.contains("file") && texture["file"].is_string())
             countTexture(texture["file"].get<std::string>(), context.directory,
                          uploaded.contains(name), context);
-    context.textureBudget.require(context.options);
+    startTextures(context);
 }
 
 JsonType texturesType() { return objectMapType(anyOf(textureTypes(), "texture")); }

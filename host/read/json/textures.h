@@ -10,9 +10,9 @@ namespace calotype {
 /// The value of the scene file's "textures".
 JsonType texturesType();
 
-/// Checks by the headers of the image files of "textures" that there is memory for them. Those that
-/// "materials" name, except for displacement, are uploaded to the device. Throws like
-/// TextureBudget::require.
+/// Checks by the headers of the image files of "textures" that there is memory for them, and starts
+/// to read them. Those that "materials" name, except for displacement, are uploaded to the device.
+/// Throws like startTextures.
 void requireMemoryForTextures(const JsonValue& textures, const std::optional<JsonValue>& materials,
                               JsonContext& context);
 

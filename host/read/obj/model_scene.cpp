@@ -109,13 +109,14 @@ void addToHash(const ViewOptions& view, ContentHash& hash) {
 Shape readModel(const std::string& path, ReadContext& context) {
     ObjCache cache;
     const std::shared_ptr<const ObjFile> obj = readObj(path, path, cache, context);
-    const ObjMeshInput input{.path = path,
-                             .where = path,
-                             .materials =
-                                 materialsFromMtl(*obj, path, allMaterials(*obj), cache, context),
-                             .displacements = {},
-                             .worldFromObject = {}};
-    return {.geometry = buildObjMesh(*obj, input, context), .place = path, .file = path};
+    ObjMeshInput input{.path = path,
+                       .where = path,
+                       .materials =
+                           materialsFromMtl(*obj, path, allMaterials(*obj), cache, context),
+                       .displacements = {},
+                       .worldFromObject = {}};
+    const BegunObjMesh begun = beginObjMesh(obj, std::move(input), context);
+    return {.geometry = finishObjMesh(begun, context), .place = path, .file = path};
 }
 
 /// Turns the camera to look along `view`. Throws SceneError, at the option that was given, if that

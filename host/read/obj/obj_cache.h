@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "read/files_ahead.h"
 #include "read/obj/mtl_library.h"
 #include "read/obj/mtl_maps.h"
 #include "read/obj/obj_file.h"
@@ -22,6 +23,7 @@ struct ObjCache {
     };
     std::map<std::string, std::shared_ptr<const ObjFile>> files; ///< by true path
     std::map<std::string, Materials> materials;                  ///< by the OBJ's path
+    FilesAhead<ObjFile> ahead;
     MtlFiles mtlFiles;
     MtlMapCache maps;
 };

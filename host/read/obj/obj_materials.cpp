@@ -68,13 +68,14 @@ public:
         library_ = materials.library.get();
     }
 
-    /// Checks by the headers of the image files that there is memory for them.
+    /// Checks by the headers of the image files that there is memory for them, and starts to read
+    /// them.
     void requireMemoryForTextures(const NeededMaterials& needed) {
         for (size_t i = 0; i < obj_.materialNames.size(); ++i)
             if (const MtlMaterial* mtl = library_->find(obj_.materialNames[i]).material;
                 mtl && needed[i] && !(*indices_)[i]) // else they are counted already
                 countTextures(*mtl);
-        context_.textureBudget.require(context_.options);
+        startTextures(context_);
     }
 
     /// `i` is an index into ObjFile::materialNames, or their number for faces without a material.

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <span>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -15,6 +15,9 @@
 #include "read/read_context.h"
 
 namespace calotype {
+
+/// Starts to read the OBJ file at `path`, or one of another format, on another thread.
+void startObj(const std::string& path, ObjCache& cache, ReadContext& context);
 
 /// The OBJ file at `path`, or a file of another format (read/mesh_formats.h) in this form, from
 /// `cache` if it was read before. Throws SceneError at `where` if it cannot be read. Warns of
@@ -29,14 +32,29 @@ struct ObjMeshInput {
     /// The index in Scene::materials for each of ObjFile::materialNames and, last, for faces
     /// without a material; or one index for all.
     std::vector<uint32_t> materials;
-    /// By index in Scene::materials.
-    std::span<const std::optional<Displacement>> displacements;
+    /// By index in Scene::materials; empty if none of `materials` is displaced.
+    std::vector<std::optional<Displacement>> displacements;
     AffineTransform worldFromObject;
     NormalMode normals = NormalMode::Auto;
 };
 
-/// The OBJ as a mesh in world space, displaced. Warns if textures are used but texture coordinates
-/// are missing, and of triangles without an area, which are left out.
-Mesh buildObjMesh(const ObjFile& obj, const ObjMeshInput& input, ReadContext& context);
+struct BuiltObjMesh {
+    MeshAndDropped mesh;
+    std::set<uint32_t> lackingUvs; ///< materials of triangles without texture coordinates
+};
+
+/// A mesh that is being built.
+struct BegunObjMesh {
+    std::shared_ptr<const ObjMeshInput> input;
+    std::shared_ptr<TaskOf<BuiltObjMesh>> task;
+};
+
+/// Starts to build the OBJ as a mesh in world space, displaced, on another thread.
+BegunObjMesh beginObjMesh(std::shared_ptr<const ObjFile> obj, ObjMeshInput input,
+                          ReadContext& context);
+
+/// The mesh. Warns if textures are used but texture coordinates are missing, and of triangles
+/// without an area, which are left out. Throws SceneError like displace and buildMesh.
+Mesh finishObjMesh(const BegunObjMesh& begun, ReadContext& context);
 
 } // namespace calotype

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <system_error>
+
+#include "base/error.h"
+#include "base/find_file.h"
+#include "base/read_file.h"
+#include "base/task_pool.h"
+
+namespace calotype {
+
+/// Files of one kind that are read and decoded on other threads, before the scene's reader comes to
+/// them.
+template <typename Contents>
+class FilesAhead {
+public:
+    struct File {
+        std::string bytes;
+        std::shared_ptr<const Contents> contents;
+    };
+
+    /// Starts to read the file at `path`, once for all spellings; leaves out what is no regular
+    /// file, because pipes may block. `decode(bytes, onProgress)` makes the contents, and must use
+    /// no data that changes or is destroyed meanwhile.
+    template <typename Decode>
+    void start(const std::string& path, TaskPool& tasks, const Decode& decode) {
+        std::error_code unknown;
+        const bool isRegular = std::filesystem::is_regular_file(path, unknown);
+        const uint64_t bytes = isRegular ? std::filesystem::file_size(path, unknown) : 0;
+        if (!isRegular || unknown)
+            return;
+        Reading& reading = readings_[truePath(path)];
+        if (reading)
+            return;
+        reading = tasks.add(bytes, [path, decode](const OnProgress& onProgress) {
+            std::optional<File> file;
+            try {
+                std::string text = readFile(path, path);
+                auto contents = std::make_shared<const Contents>(decode(text, onProgress));
+                file.emplace(File{std::move(text), std::move(contents)});
+            } catch (const SceneError&) {
+                file.reset(); // the reader reads it again, for an error in the scene's order
+            }
+            return file;
+        });
+    }
+
+    /// The file, the first time that it is asked for. Nothing if it was not started, or if it
+    /// cannot be read or decoded.
+    std::optional<File> take(const std::string& path, TaskPool& tasks,
+                             const OnProgress& onProgress = {}) {
+        const auto found = readings_.find(truePath(path));
+        if (found == readings_.end())
+            return std::nullopt;
+        const Reading reading = std::move(found->second);
+        readings_.erase(found);
+        return tasks.finish(*reading, onProgress);
+    }
+
+private:
+    using Reading = std::shared_ptr<TaskOf<std::optional<File>>>;
+
+    std::map<std::string, Reading> readings_; ///< by true path
+};
+
+} // namespace calotype
