@@ -91,17 +91,14 @@ struct ShapeCheck {
 private:
     bool trianglesAreValid(const Mesh& mesh) const {
         std::atomic<bool> areValid = true;
-        const size_t count = mesh.triangles.size();
-        constexpr size_t kWorthThreads = 65536; // a millisecond of work
-        parallelChunks(
-            count, count < kWorthThreads ? 1 : allCores(), [&](uint64_t first, uint64_t last) {
-                const std::span part(mesh.triangles.data() + first, last - first);
-                if (!std::ranges::all_of(part, [&](const Mesh::Triangle& triangle) {
-                        return verticesExist(mesh, triangle) && normalsAreUnit(mesh, triangle) &&
-                               triangle.material < scene.materials.size();
-                    }))
-                    areValid = false;
-            });
+        parallelChunks(mesh.triangles.size(), allCores(), [&](uint64_t first, uint64_t last) {
+            const std::span part(mesh.triangles.data() + first, last - first);
+            if (!std::ranges::all_of(part, [&](const Mesh::Triangle& triangle) {
+                    return verticesExist(mesh, triangle) && normalsAreUnit(mesh, triangle) &&
+                           triangle.material < scene.materials.size();
+                }))
+                areValid = false;
+        });
         return areValid;
     }
 

@@ -20,23 +20,22 @@ double unitScale(std::span<const glm::dvec3> positions) {
     return size > 0.0 ? std::ldexp(1.0, std::clamp(-std::ilogb(size), -1000, 1000)) : 1.0;
 }
 
-} // namespace
+std::span<const uint32_t, 3> cornersOf(const Mesh::Triangle& triangle) { return triangle.position; }
+std::span<const uint32_t, 3> cornersOf(const Corners& triangle) { return triangle; }
 
-double largestComponent(const glm::dvec3& v) {
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
-std::vector<glm::dvec3> areaWeightedNormals(std::span<const glm::dvec3> positions,
-                                            std::span<const Mesh::Triangle> triangles) {
+template <typename Triangle>
+std::vector<glm::dvec3> meanNormals(std::span<const glm::dvec3> positions,
+                                    std::span<const Triangle> triangles) {
     const double scale = unitScale(positions);
     std::vector<glm::dvec3> normals(positions.size(), glm::dvec3(0.0));
     std::vector<double> areas(positions.size(), 0.0);
-    for (const Mesh::Triangle& triangle : triangles) {
-        const glm::dvec3& a = positions[triangle.position[0]];
-        const glm::dvec3 ab = (positions[triangle.position[1]] - a) * scale;
-        const glm::dvec3 ac = (positions[triangle.position[2]] - a) * scale;
+    for (const Triangle& triangle : triangles) {
+        const std::span<const uint32_t, 3> corners = cornersOf(triangle);
+        const glm::dvec3& a = positions[corners[0]];
+        const glm::dvec3 ab = (positions[corners[1]] - a) * scale;
+        const glm::dvec3 ac = (positions[corners[2]] - a) * scale;
         const glm::dvec3 normal = glm::cross(ab, ac);
-        for (const uint32_t corner : triangle.position) {
+        for (const uint32_t corner : corners) {
             normals[corner] += normal;
             areas[corner] += largestComponent(normal);
         }
@@ -47,6 +46,22 @@ std::vector<glm::dvec3> areaWeightedNormals(std::span<const glm::dvec3> position
         normals[i] = cancelled ? glm::dvec3(0.0) : glm::normalize(normals[i] / size);
     }
     return normals;
+}
+
+} // namespace
+
+double largestComponent(const glm::dvec3& v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+std::vector<glm::dvec3> areaWeightedNormals(std::span<const glm::dvec3> positions,
+                                            std::span<const Mesh::Triangle> triangles) {
+    return meanNormals(positions, triangles);
+}
+
+std::vector<glm::dvec3> areaWeightedNormals(std::span<const glm::dvec3> positions,
+                                            std::span<const Corners> triangles) {
+    return meanNormals(positions, triangles);
 }
 
 } // namespace calotype

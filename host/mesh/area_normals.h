@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -16,5 +18,12 @@ double largestComponent(const glm::dvec3& v);
 /// and normalised; zero if the normals cancel or there is no triangle.
 std::vector<glm::dvec3> areaWeightedNormals(std::span<const glm::dvec3> positions,
                                             std::span<const Mesh::Triangle> triangles);
+
+/// The numbers of a triangle's corners among some positions.
+using Corners = std::array<uint32_t, 3>;
+
+/// The same for triangles that are corners alone.
+std::vector<glm::dvec3> areaWeightedNormals(std::span<const glm::dvec3> positions,
+                                            std::span<const Corners> triangles);
 
 } // namespace calotype

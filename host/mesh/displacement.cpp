@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/names.h"
+#include "base/parallel_chunks.h"
 #include "mesh/area_normals.h"
 #include "mesh/subdivide.h"
 #include "scene/texture_lookup.h"
@@ -122,17 +123,19 @@ private:
         const auto repeated = std::ranges::unique(further);
         further.erase(repeated.begin(), repeated.end());
 
-        std::vector<double> heights;
-        heights.reserve(first.size());
-        auto next = further.begin();
-        for (const Reading& reading : first) {
-            double sum = height(reading);
+        std::vector<double> heights(first.size());
+        parallelChunks(first.size(), allCores(), [&](uint64_t begin, uint64_t end) {
+            for (uint64_t i = begin; i < end; ++i)
+                heights[i] = height(first[i]);
+        });
+        for (auto next = further.begin(); next != further.end();) {
+            const uint32_t position = next->position;
             uint32_t count = 1;
-            for (; next != further.end() && next->position == reading.position; ++next) {
-                sum += height(*next);
+            for (; next != further.end() && next->position == position; ++next) {
+                heights[position] += height(*next);
                 ++count;
             }
-            heights.push_back(sum / count);
+            heights[position] /= count;
         }
         return heights;
     }

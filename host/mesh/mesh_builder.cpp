@@ -56,20 +56,13 @@ private:
     std::vector<Value> values_;
 };
 
-/// Threads for work on so many positions or triangles.
-uint32_t threadsFor(size_t count) {
-    constexpr size_t kWorthThreads = 16384; // a millisecond of work
-    return count < kWorthThreads ? 1 : allCores();
-}
-
 std::vector<glm::dvec3> inWorld(std::span<const glm::dvec3> positions,
                                 const AffineTransform& worldFromObject) {
     std::vector<glm::dvec3> result(positions.size());
-    parallelChunks(positions.size(), threadsFor(positions.size()),
-                   [&](uint64_t first, uint64_t last) {
-                       for (uint64_t i = first; i < last; ++i)
-                           result[i] = worldFromObject.point(positions[i]);
-                   });
+    parallelChunks(positions.size(), allCores(), [&](uint64_t first, uint64_t last) {
+        for (uint64_t i = first; i < last; ++i)
+            result[i] = worldFromObject.point(positions[i]);
+    });
     return result;
 }
 
@@ -82,11 +75,10 @@ public:
           mirrored_(isMirroring(worldFromObject.linear)), keepNormals_(keepNormals),
           extents_(source.triangles.size()), positions_(world_), normals_(source.normals),
           uvs_(source.uvs) {
-        parallelChunks(extents_.size(), threadsFor(extents_.size()),
-                       [&](uint64_t first, uint64_t last) {
-                           for (uint64_t i = first; i < last; ++i)
-                               extents_[i] = extentOf(source.triangles[i]);
-                       });
+        parallelChunks(extents_.size(), allCores(), [&](uint64_t first, uint64_t last) {
+            for (uint64_t i = first; i < last; ++i)
+                extents_[i] = extentOf(source.triangles[i]);
+        });
         triangles_.reserve(source.triangles.size());
     }
 

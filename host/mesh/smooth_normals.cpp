@@ -16,7 +16,7 @@ using Triangles = std::span<Mesh::Triangle>;
 /// The triangles' corners, numbered so that those which share a normal are equal, and the position
 /// of each number.
 struct SharedCorners {
-    std::vector<Mesh::Triangle> triangles;
+    std::vector<Corners> triangles;
     std::vector<glm::dvec3> positions;
 };
 
@@ -24,7 +24,7 @@ struct SharedCorners {
 SharedCorners splitByGroup(SharedCorners shared, std::span<const Smoothing> smoothing) {
     DistinctValues<glm::dvec2> distinct; // place and group
     for (size_t i = 0; i < shared.triangles.size(); ++i)
-        for (uint32_t& corner : shared.triangles[i].position)
+        for (uint32_t& corner : shared.triangles[i])
             corner = distinct.add({corner, smoothing[i].group});
     std::vector<glm::dvec3> positions;
     positions.reserve(distinct.values().size());
@@ -36,11 +36,12 @@ SharedCorners splitByGroup(SharedCorners shared, std::span<const Smoothing> smoo
 SharedCorners shareCorners(std::span<const glm::dvec3> positions, Triangles triangles) {
     DistinctValues<glm::dvec3> distinct;
     const std::vector<uint32_t> place = distinct.addAll(positions);
-    SharedCorners shared{{triangles.begin(), triangles.end()}, std::move(distinct).take()};
-    for (Mesh::Triangle& triangle : shared.triangles)
-        for (uint32_t& corner : triangle.position)
-            corner = place[corner];
-    return shared;
+    std::vector<Corners> corners;
+    corners.reserve(triangles.size());
+    for (const Mesh::Triangle& triangle : triangles)
+        corners.push_back({place[triangle.position[0]], place[triangle.position[1]],
+                           place[triangle.position[2]]});
+    return {std::move(corners), std::move(distinct).take()};
 }
 
 /// Appends the normals of `shared` to `normals`; the triangles for which `receives(i)` holds get
@@ -48,13 +49,14 @@ SharedCorners shareCorners(std::span<const glm::dvec3> positions, Triangles tria
 template <typename Receives>
 void addNormals(const SharedCorners& shared, Triangles triangles, std::vector<glm::dvec3>& normals,
                 const Receives& receives) {
-    const std::vector<glm::dvec3> made = areaWeightedNormals(shared.positions, shared.triangles);
+    const std::vector<glm::dvec3> made =
+        areaWeightedNormals(shared.positions, std::span<const Corners>(shared.triangles));
     const auto first = static_cast<uint32_t>(normals.size());
     normals.insert(normals.end(), made.begin(), made.end());
     for (size_t i = 0; i < triangles.size(); ++i) {
         if (!receives(i))
             continue;
-        const auto& corners = shared.triangles[i].position;
+        const Corners& corners = shared.triangles[i];
         const bool cancelled = std::ranges::any_of(
             corners, [&](uint32_t corner) { return made[corner] == glm::dvec3(0.0); });
         for (int k = 0; k < 3; ++k)

@@ -10,7 +10,6 @@
 
 #include "base/error.h"
 #include "base/find_file.h"
-#include "base/read_file.h"
 #include "base/task_pool.h"
 
 namespace calotype {
@@ -25,11 +24,11 @@ public:
         std::shared_ptr<const Contents> contents;
     };
 
-    /// Starts to read the file at `path`, once for all spellings; leaves out what is no regular
-    /// file, because pipes may block. `decode(bytes, onProgress)` makes the contents, and must use
-    /// no data that changes or is destroyed meanwhile.
-    template <typename Decode>
-    void start(const std::string& path, TaskPool& tasks, const Decode& decode) {
+    /// Starts to read the file at `path` by `File read(onProgress)`, once for all spellings; leaves
+    /// out what is no regular file, because pipes may block. `read` must use no data that changes
+    /// or is destroyed meanwhile.
+    template <typename Read>
+    void start(const std::string& path, TaskPool& tasks, const Read& read) {
         std::error_code unknown;
         const bool isRegular = std::filesystem::is_regular_file(path, unknown);
         const uint64_t bytes = isRegular ? std::filesystem::file_size(path, unknown) : 0;
@@ -38,16 +37,12 @@ public:
         Reading& reading = readings_[truePath(path)];
         if (reading)
             return;
-        reading = tasks.add(bytes, [path, decode](const OnProgress& onProgress) {
-            std::optional<File> file;
+        reading = tasks.add(bytes, [read](const OnProgress& onProgress) -> std::optional<File> {
             try {
-                std::string text = readFile(path, path);
-                auto contents = std::make_shared<const Contents>(decode(text, onProgress));
-                file.emplace(File{std::move(text), std::move(contents)});
+                return read(onProgress);
             } catch (const SceneError&) {
-                file.reset(); // the reader reads it again, for an error in the scene's order
+                return std::nullopt; // it is read again in its turn, where the error belongs
             }
-            return file;
         });
     }
 

@@ -60,6 +60,17 @@ struct ReadContext {
         return bytes;
     }
 
+    /// Starts to read a file on another thread. `decode(bytes, onProgress)` makes its contents, and
+    /// must use nothing of the context.
+    template <typename Contents, typename Decode>
+    void startAhead(const std::string& path, FilesAhead<Contents>& ahead, const Decode& decode) {
+        ahead.start(path, tasks, [path, decode](const OnProgress& onProgress) {
+            std::string bytes = readFile(path, path);
+            auto contents = std::make_shared<const Contents>(decode(bytes, onProgress));
+            return typename FilesAhead<Contents>::File{std::move(bytes), std::move(contents)};
+        });
+    }
+
     /// The contents of a file that was started in `ahead`; nullptr if it must be read.
     template <typename Contents>
     std::shared_ptr<const Contents> takeAhead(const std::string& path, FilesAhead<Contents>& ahead,

@@ -97,10 +97,10 @@ void countTexture(const std::string& name, const std::filesystem::path& director
 void startTextures(ReadContext& context) {
     context.textureBudget.require(context.options);
     for (const std::string& path : context.textureBudget.takeNew())
-        context.imagesAhead.start(
-            path, context.tasks, [path](std::string_view bytes, const OnProgress&) {
-                return readTexelImage(bytes, ImageTexture::kLargestSide, path);
-            });
+        context.startAhead(path, context.imagesAhead,
+                           [path](std::string_view bytes, const OnProgress&) {
+                               return readTexelImage(bytes, ImageTexture::kLargestSide, path);
+                           });
 }
 
 std::shared_ptr<const TexelImage> magentaImage() {

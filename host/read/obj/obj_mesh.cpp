@@ -68,10 +68,10 @@ uint64_t costOf(const ObjFile& obj, const ObjMeshInput& input) {
 } // namespace
 
 void startObj(const std::string& path, ObjCache& cache, ReadContext& context) {
-    cache.ahead.start(path, context.tasks,
-                      [path](std::string_view text, const OnProgress& onProgress) {
-                          return parseMesh(text, path, onProgress);
-                      });
+    context.startAhead(path, cache.ahead,
+                       [path](std::string_view text, const OnProgress& onProgress) {
+                           return parseMesh(text, path, onProgress);
+                       });
 }
 
 std::shared_ptr<const ObjFile> readObj(const std::string& path, const std::string& where,
