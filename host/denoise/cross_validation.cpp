@@ -269,8 +269,8 @@ private:
     /// An unbiased estimate of the squared error of a luminance by a replica that had no part in
     /// it: the squared distance from that replica, less its own variance. Nothing is taken from
     /// `left`, but for the luminance.
-    double squaredError(double value, const std::vector<double>& luminances, size_t judge, size_t left,
-                        size_t pixel) const {
+    double squaredError(double value, const std::vector<double>& luminances, size_t judge,
+                        size_t left, size_t pixel) const {
         return square(value - luminances[judge]) -
                replicas_.varianceOf(luminances, judge, left, pixel);
     }

@@ -36,7 +36,7 @@ RenderSession::RenderSession(BlockTracer& tracer, const RenderSettings& settings
                              double maxRadiance)
     : RenderSession(tracer, settings,
                     Film(settings.crop.width, settings.crop.height, filmUnit(maxRadiance),
-                          detailFor(settings.denoiser), settings.transport.hidesBackground)) {}
+                         detailFor(settings.denoiser), settings.transport.hidesBackground)) {}
 
 RenderEnding RenderSession::run(const RenderObserver& observer, uint32_t passSamples,
                                 const RenderGoal& goal) {
