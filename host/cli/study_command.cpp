@@ -165,7 +165,7 @@ PreparedTracer prepareTracer(const DeviceOptions& device, const Scene& scene,
     all->denoiser.emplace(settings.denoiser, device.denoiserLibrary, &all->device);
     all->features = timed(prepared.featureSeconds, [&] {
         return denoiserFeatures(
-            engine.features([&](double done) { onStep("finding features", done); }));
+            engine.features([&](double done) { onStep("finding features", done); }, {}));
     });
     prepared.denoise = [all, threads = device.threads](const FilmView& film,
                                                        const auto& onProgress) {

@@ -15,7 +15,7 @@
 namespace calotype {
 namespace {
 
-/// A number for each pixel, row by row.
+/// A number for each pixel, row by row; or for each replica.
 using Plane = std::vector<double>;
 
 /// The pixels around one whose errors decide how it is blended: 9 x 9.
@@ -125,7 +125,7 @@ public:
     size_t pixels() const { return replicas_.front().mean.pixels.size(); }
 
     glm::dvec3 meanWithout(size_t left, size_t pixel) const {
-        return spreadWithout(colorsAt(pixel), pixel, left).mean;
+        return colorWithout(left, pixel).mean;
     }
 
     /// The mean of all replicas but one, with its noise. The replica that is left out has no part
@@ -134,35 +134,32 @@ public:
         NoisyImage picture{Image(width(), height()), Image(width(), height()),
                            countWithout(left) - groupSizes_.size() + 1};
         for (size_t pixel = 0; pixel < pixels(); ++pixel) {
-            const Spread<glm::dvec3> spread = spreadWithout(colorsAt(pixel), pixel, left);
+            const Spread<glm::dvec3> spread = colorWithout(left, pixel);
             picture.color.pixels[pixel] = glm::vec3(spread.mean);
             picture.standardError.pixels[pixel] = glm::vec3(glm::sqrt(spread.variance));
         }
         return picture;
     }
 
-    /// The luminances that the replicas have in a pixel.
-    std::vector<double> luminancesAt(size_t pixel) const {
-        std::vector<double> luminances;
-        luminances.reserve(count());
-        for (const ReplicaPicture& replica : replicas_)
-            luminances.push_back(luminanceOf(replica.mean.pixels[pixel]));
-        return luminances;
+    /// Sets `luminances` to those that the replicas have in a pixel.
+    void luminancesAt(size_t pixel, Plane& luminances) const {
+        luminances.resize(count());
+        for (size_t i = 0; i < count(); ++i)
+            luminances[i] = luminanceOf(replicas_[i].mean.pixels[pixel]);
     }
 
     /// The variance of the luminance of the mean of all replicas but one, from their spread.
-    double varianceOfMeanWithout(const std::vector<double>& luminances, size_t left,
-                                 size_t pixel) const {
-        return spreadWithout(luminances, pixel, left).variance;
+    double varianceOfMeanWithout(const Plane& luminances, size_t left, size_t pixel) const {
+        return spreadWithout<double>([&](size_t i) { return luminances[i]; }, pixel, left).variance;
     }
 
     /// That of one replica, from the spread of the others of its group. `left` is left out too,
     /// where enough others remain.
-    double varianceOf(const std::vector<double>& luminances, size_t replica, size_t left,
-                      size_t pixel) const {
+    double varianceOf(const Plane& luminances, size_t replica, size_t left, size_t pixel) const {
         const uint32_t group = replicas_[replica].group;
         const size_t both = groupSizes_[group] > kLeastReplicas ? left : replica;
-        return groupWithout(luminances, group, pixel, replica, both).variance /
+        const auto valueOf = [&](size_t i) { return luminances[i]; };
+        return groupWithout<double>(valueOf, group, pixel, replica, both).variance /
                replicas_[replica].samplesIn(pixel);
     }
 
@@ -175,12 +172,9 @@ private:
         double samples = 0.0;
     };
 
-    std::vector<glm::dvec3> colorsAt(size_t pixel) const {
-        std::vector<glm::dvec3> colors;
-        colors.reserve(count());
-        for (const ReplicaPicture& replica : replicas_)
-            colors.emplace_back(replica.mean.pixels[pixel]);
-        return colors;
+    Spread<glm::dvec3> colorWithout(size_t left, size_t pixel) const {
+        const auto valueOf = [&](size_t i) { return glm::dvec3(replicas_[i].mean.pixels[pixel]); };
+        return spreadWithout<glm::dvec3>(valueOf, pixel, left);
     }
 
     size_t countWithout(uint32_t group, size_t left) const {
@@ -189,14 +183,14 @@ private:
 
     /// Of the replicas of one group but one or two. A replica of n samples has a variance of s^2 /
     /// n, so deviations are weighted by n.
-    template <typename Value>
-    Spread<Value> groupWithout(const std::vector<Value>& values, uint32_t group, size_t pixel,
-                               size_t left, size_t alsoLeft) const {
+    template <typename Value, typename ValueOf>
+    Spread<Value> groupWithout(const ValueOf& valueOf, uint32_t group, size_t pixel, size_t left,
+                               size_t alsoLeft) const {
         Spread<Value> spread;
         const auto forEach = [&](const auto& take) {
             for (size_t i = 0; i < count(); ++i)
                 if (i != left && i != alsoLeft && replicas_[i].group == group)
-                    take(replicas_[i].samplesIn(pixel), values[i]);
+                    take(replicas_[i].samplesIn(pixel), valueOf(i));
         };
         double freedom = -1.0;
         forEach([&](double samples, const Value& mean) {
@@ -214,11 +208,11 @@ private:
     }
 
     /// Of the mean of all replicas but one.
-    template <typename Value>
-    Spread<Value> spreadWithout(const std::vector<Value>& values, size_t pixel, size_t left) const {
+    template <typename Value, typename ValueOf>
+    Spread<Value> spreadWithout(const ValueOf& valueOf, size_t pixel, size_t left) const {
         Spread<Value> spread;
         for (uint32_t group = 0; group < groupSizes_.size(); ++group) {
-            const auto ofGroup = groupWithout(values, group, pixel, left, left);
+            const auto ofGroup = groupWithout<Value>(valueOf, group, pixel, left, left);
             const double weight = static_cast<double>(countWithout(group, left)) /
                                   static_cast<double>(countWithout(left));
             spread.mean += weight * ofGroup.mean;
@@ -269,8 +263,8 @@ private:
     /// An unbiased estimate of the squared error of a luminance by a replica that had no part in
     /// it: the squared distance from that replica, less its own variance. Nothing is taken from
     /// `left`, but for the luminance.
-    double squaredError(double value, const std::vector<double>& luminances, size_t judge,
-                        size_t left, size_t pixel) const {
+    double squaredError(double value, const Plane& luminances, size_t judge, size_t left,
+                        size_t pixel) const {
         return square(value - luminances[judge]) -
                replicas_.varianceOf(luminances, judge, left, pixel);
     }
@@ -281,8 +275,9 @@ private:
         const auto judges = static_cast<double>(replicas_.countWithout(left));
         Plane errors(pixels_);
         Plane variances(pixels_);
+        Plane luminances;
         for (size_t i = 0; i < pixels_; ++i) {
-            const std::vector<double> luminances = replicas_.luminancesAt(i);
+            replicas_.luminancesAt(i, luminances);
             for (size_t judge = 0; judge < replicas_.count(); ++judge)
                 if (judge != left)
                     errors[i] +=
@@ -305,13 +300,15 @@ private:
             meanLuminance += luminanceOf(pixel) / static_cast<double>(pixels_);
         const double floor = square(0.01 * meanLuminance);
         Plane shares(pixels_);
+        Plane luminances;
         for (size_t judge = 0; judge < replicas_.count(); ++judge) {
             const Plane weights = weightsOfSamples(judge);
             for (size_t i = 0; i < pixels_; ++i) {
                 const double denoised = denoised_[judge][i];
                 const double samples = luminance(replicas_.meanWithout(judge, i));
                 const double blended = denoised + weights[i] * (samples - denoised);
-                shares[i] += squaredError(blended, replicas_.luminancesAt(i), judge, judge, i) /
+                replicas_.luminancesAt(i, luminances);
+                shares[i] += squaredError(blended, luminances, judge, judge, i) /
                              (square(luminanceOf(color.pixels[i])) + floor) /
                              static_cast<double>(replicas_.count());
             }
