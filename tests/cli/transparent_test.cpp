@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <nlohmann/json.hpp>
-#include <stb_image.h>
+#include <stb/stb_image.h>
 
 #include "cli/film_cli_test.h"
 #include "image/exr.h"
@@ -65,8 +65,11 @@ TEST_F(TransparentTest, ExrFilesHaveAnAlphaChannel) {
 TEST_F(TransparentTest, PngFilesHaveColorsThatAreNotMultiplied) {
     const std::string png = folder_ / "a.png";
     const Picture exr = picture("a.exr", {"--transparent", "-o", png});
+    const std::string file = readText(png);
     int width = 0, height = 0, channels = 0;
-    stbi_uc* pixels = stbi_load(png.c_str(), &width, &height, &channels, 0);
+    stbi_uc* pixels = stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(file.data()),
+                                            static_cast<int>(file.size()), &width, &height,
+                                            &channels, 0);
     ASSERT_NE(pixels, nullptr);
     ASSERT_EQ(channels, 4);
     const std::vector<float> alpha = alphaOf(exr);

@@ -43,7 +43,7 @@ public:
             if (count <= 0)
                 continue;
             std::binomial_distribution<int> specks(count, 1.0 / odds_);
-            const float sum = isNoisy(i) ? static_cast<float>(odds_) * specks(random_)
+            const float sum = isNoisy(i) ? static_cast<float>(odds_ * specks(random_))
                                          : static_cast<float>(count) * faint(random_);
             sums_[i] += glm::vec4(glm::vec3(sum), count);
             counters.paths += count;

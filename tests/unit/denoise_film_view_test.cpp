@@ -68,8 +68,9 @@ TEST(FilmViewTest, HasTheReplicasOfAnAdaptiveFilm) {
             uint32_t count = 0;
             for (uint32_t block = r; block / 2 < blocksIn(i, block % 2); block += 8, ++count)
                 sum += glm::dvec3(blockOf(block)[i]);
-            EXPECT_EQ(replicas[r].samplesIn(i), count * kSamples) << r;
-            EXPECT_NEAR(replicas[r].mean.pixels[i].g, sum.g / (count * kSamples), 1e-6) << r;
+            const double samplesOfPixel = count * double{kSamples};
+            EXPECT_EQ(replicas[r].samplesIn(i), samplesOfPixel) << r;
+            EXPECT_NEAR(replicas[r].mean.pixels[i].g, sum.g / samplesOfPixel, 1e-6) << r;
             samples += count * shared::kSamplesPerBlock;
         }
     }
