@@ -8,6 +8,7 @@
 #include <glm/exponential.hpp>
 
 #include "base/check.h"
+#include "base/parallel_chunks.h"
 #include "film/error_estimate.h"
 #include "math/luminance.h"
 #include "math/square.h"
@@ -130,14 +131,16 @@ public:
 
     /// The mean of all replicas but one, with its noise. The replica that is left out has no part
     /// in either.
-    NoisyImage pictureWithout(size_t left) const {
+    NoisyImage pictureWithout(size_t left, uint32_t threads) const {
         NoisyImage picture{Image(width(), height()), Image(width(), height()),
                            countWithout(left) - groupSizes_.size() + 1};
-        for (size_t pixel = 0; pixel < pixels(); ++pixel) {
-            const Spread<glm::dvec3> spread = colorWithout(left, pixel);
-            picture.color.pixels[pixel] = glm::vec3(spread.mean);
-            picture.standardError.pixels[pixel] = glm::vec3(glm::sqrt(spread.variance));
-        }
+        parallelChunks(pixels(), threads, [&](size_t first, size_t end) {
+            for (size_t pixel = first; pixel < end; ++pixel) {
+                const Spread<glm::dvec3> spread = colorWithout(left, pixel);
+                picture.color.pixels[pixel] = glm::vec3(spread.mean);
+                picture.standardError.pixels[pixel] = glm::vec3(glm::sqrt(spread.variance));
+            }
+        });
         return picture;
     }
 
@@ -146,6 +149,11 @@ public:
         luminances.resize(count());
         for (size_t i = 0; i < count(); ++i)
             luminances[i] = luminanceOf(replicas_[i].mean.pixels[pixel]);
+    }
+
+    /// The luminance of the mean of all replicas but one.
+    double meanWithout(const Plane& luminances, size_t left, size_t pixel) const {
+        return spreadWithout<double>([&](size_t i) { return luminances[i]; }, pixel, left).mean;
     }
 
     /// The variance of the luminance of the mean of all replicas but one, from their spread.
@@ -230,10 +238,10 @@ private:
 /// large.
 class CrossValidation {
 public:
-    CrossValidation(std::span<const ReplicaPicture> replicas, Denoiser& denoiser,
+    CrossValidation(std::span<const ReplicaPicture> replicas, Denoiser& denoiser, uint32_t threads,
                     const std::function<void(double)>& onProgress)
-        : replicas_(replicas), denoiser_(denoiser), onProgress_(onProgress),
-          pixels_(replicas.front().mean.pixels.size()) {
+        : replicas_(replicas), denoiser_(denoiser), threads_(threads > 0 ? threads : allCores()),
+          onProgress_(onProgress), pixels_(replicas.front().mean.pixels.size()) {
         for (size_t i = 0; i < replicas_.count(); ++i)
             denoised_.push_back(luminancesOf(denoisedWithout(i)));
     }
@@ -251,12 +259,18 @@ public:
     }
 
 private:
+    /// The denoiser's runs, without each replica and with all, and a step in which the error is
+    /// found.
+    void report(double stepsDone) const {
+        if (onProgress_)
+            onProgress_(stepsDone / static_cast<double>(replicas_.count() + 2));
+    }
+
     /// The denoised mean of all replicas but one; of all, if `left` is their number. It is the
     /// last.
     Image denoisedWithout(size_t left) const {
-        Image image = denoiser_.run(replicas_.pictureWithout(left));
-        if (onProgress_)
-            onProgress_(static_cast<double>(left + 1) / static_cast<double>(replicas_.count() + 1));
+        Image image = denoiser_.run(replicas_.pictureWithout(left, threads_));
+        report(static_cast<double>(left + 1));
         return image;
     }
 
@@ -275,15 +289,17 @@ private:
         const auto judges = static_cast<double>(replicas_.countWithout(left));
         Plane errors(pixels_);
         Plane variances(pixels_);
-        Plane luminances;
-        for (size_t i = 0; i < pixels_; ++i) {
-            replicas_.luminancesAt(i, luminances);
-            for (size_t judge = 0; judge < replicas_.count(); ++judge)
-                if (judge != left)
-                    errors[i] +=
-                        squaredError(denoised_[judge][i], luminances, judge, left, i) / judges;
-            variances[i] = replicas_.varianceOfMeanWithout(luminances, left, i);
-        }
+        parallelChunks(pixels_, threads_, [&](size_t first, size_t end) {
+            Plane luminances;
+            for (size_t i = first; i < end; ++i) {
+                replicas_.luminancesAt(i, luminances);
+                for (size_t judge = 0; judge < replicas_.count(); ++judge)
+                    if (judge != left)
+                        errors[i] +=
+                            squaredError(denoised_[judge][i], luminances, judge, left, i) / judges;
+                variances[i] = replicas_.varianceOfMeanWithout(luminances, left, i);
+            }
+        });
         errors = boxMean(errors, replicas_.width(), replicas_.height());
         variances = boxMean(variances, replicas_.width(), replicas_.height());
         for (size_t i = 0; i < pixels_; ++i)
@@ -299,19 +315,22 @@ private:
         for (const glm::vec3& pixel : color.pixels)
             meanLuminance += luminanceOf(pixel) / static_cast<double>(pixels_);
         const double floor = square(0.01 * meanLuminance);
+        const auto judges = static_cast<double>(replicas_.count());
         Plane shares(pixels_);
-        Plane luminances;
         for (size_t judge = 0; judge < replicas_.count(); ++judge) {
             const Plane weights = weightsOfSamples(judge);
-            for (size_t i = 0; i < pixels_; ++i) {
-                const double denoised = denoised_[judge][i];
-                const double samples = luminance(replicas_.meanWithout(judge, i));
-                const double blended = denoised + weights[i] * (samples - denoised);
-                replicas_.luminancesAt(i, luminances);
-                shares[i] += squaredError(blended, luminances, judge, judge, i) /
-                             (square(luminanceOf(color.pixels[i])) + floor) /
-                             static_cast<double>(replicas_.count());
-            }
+            parallelChunks(pixels_, threads_, [&](size_t first, size_t end) {
+                Plane luminances;
+                for (size_t i = first; i < end; ++i) {
+                    replicas_.luminancesAt(i, luminances);
+                    const double denoised = denoised_[judge][i];
+                    const double samples = replicas_.meanWithout(luminances, judge, i);
+                    const double blended = denoised + weights[i] * (samples - denoised);
+                    shares[i] += squaredError(blended, luminances, judge, judge, i) /
+                                 (square(luminanceOf(color.pixels[i])) + floor) / judges;
+                }
+            });
+            report(judges + 1.0 + static_cast<double>(judge + 1) / judges);
         }
         const TileMean share = meanOfTiles(shares, color.width, color.height);
         return denoisedErrorOf(share.mean, share.standardError);
@@ -319,6 +338,7 @@ private:
 
     Replicas replicas_;
     Denoiser& denoiser_;
+    uint32_t threads_;
     const std::function<void(double)>& onProgress_;
     size_t pixels_;
     std::vector<Plane> denoised_; ///< luminances of the mean of the others, denoised, per replica
@@ -332,8 +352,8 @@ bool canStateError(uint32_t width, uint32_t height) {
 }
 
 DenoisedPicture denoise(std::span<const ReplicaPicture> replicas, Denoiser& denoiser,
-                        const std::function<void(double)>& onProgress) {
-    return CrossValidation(replicas, denoiser, onProgress).run();
+                        uint32_t threads, const std::function<void(double)>& onProgress) {
+    return CrossValidation(replicas, denoiser, threads, onProgress).run();
 }
 
 } // namespace calotype

@@ -39,9 +39,10 @@ inline constexpr size_t kLeastReplicas = 3;
 /// Denoises the mean of the replicas, and states its error by cross-validation (docs/models.md,
 /// "Denoising"): each replica judges a picture that was denoised without it. Where the samples are
 /// better than the denoiser, they have the greater weight, so that more samples end at the truth.
-/// Runs the denoiser once, and once for each replica. `onProgress` is called after each run with
-/// the share of them that is done, in [0, 1]; it may throw to end the work.
+/// Runs the denoiser once, and once for each replica. `threads` 0: all cores; the result does not
+/// depend on it. `onProgress` is called after each run, and while the error is found, with the
+/// share done in [0, 1]; it may throw to end the work.
 DenoisedPicture denoise(std::span<const ReplicaPicture> replicas, Denoiser& denoiser,
-                        const std::function<void(double)>& onProgress = {});
+                        uint32_t threads = 0, const std::function<void(double)>& onProgress = {});
 
 } // namespace calotype

@@ -15,6 +15,8 @@ namespace {
 // picture, which is this machine's memory on lavapipe.
 constexpr uint64_t kFilm = 110;
 constexpr uint64_t kFilmReplica = 30;
+/// An adaptive film has sums of its own for each half, and numbers of samples in each pixel.
+constexpr uint64_t kAdaptive = 80;
 // Of denoising: pictures and features; with replicas, planes of numbers.
 constexpr uint64_t kPictures = 100;
 constexpr uint64_t kPlanes = 60;
@@ -45,14 +47,13 @@ std::string whyNoRoom(uint64_t bytes, uint64_t available) {
     return text;
 }
 
-void requireDenoisingMemory(const RenderSettings& settings, uint64_t samplesPerPixel) {
+void requireDenoisingMemory(const RenderSettings& settings, uint64_t blocks) {
     if (settings.denoiser == DenoiserKind::Off)
         return;
     const uint64_t pixels = uint64_t{settings.crop.width} * settings.crop.height;
-    const uint64_t blocks =
-        (samplesPerPixel + shared::kSamplesPerBlock - 1) / shared::kSamplesPerBlock;
     const uint64_t replicas = std::min<uint64_t>(blocks, shared::kReplicas);
-    const uint64_t bytes = (kFilm + kFilmReplica * replicas) * pixels +
+    const uint64_t ofKind = kFilm + (settings.isAdaptive ? kAdaptive : 0);
+    const uint64_t bytes = (ofKind + kFilmReplica * replicas) * pixels +
                            denoisingBytes(settings.denoiser, pixels, replicas);
     if (const std::string why = whyNoRoom(bytes, availableMemory()); !why.empty())
         throw SettingError("denoise", why + ", for a picture of " +

@@ -17,7 +17,7 @@ uint64_t denoisingBytes(DenoiserKind kind, uint64_t pixels, uint64_t replicas);
 std::string whyNoRoom(uint64_t bytes, uint64_t available);
 
 /// Throws SettingError, with what to do, if this machine has too little memory to render and
-/// denoise the picture of the settings, with `samplesPerPixel` in the end.
-void requireDenoisingMemory(const RenderSettings& settings, uint64_t samplesPerPixel);
+/// denoise the picture of the settings, whose film has so many blocks in the end.
+void requireDenoisingMemory(const RenderSettings& settings, uint64_t blocks);
 
 } // namespace calotype

@@ -33,6 +33,9 @@ public:
     const std::string& path() const { return options_.path(); }
     const FilmLabel& label() const { return label_; }
 
+    /// The number of blocks of the film to continue, before `begin`.
+    uint64_t blocksToContinue() const { return continued_ ? continued_->film.blocks().count() : 0; }
+
     /// What denoisers use: of the film to continue, if it has it.
     const std::optional<DenoiserFeatures>& features() const { return features_; }
     /// To be called before `begin`, with ReplicaDetail::Color.

@@ -62,7 +62,7 @@ CleanPicture PictureDenoiser::run(const FilmView& film, const Image& noisy,
         return picture;
     }
     const auto denoiser = denoiserFor(features, film.picture(), threads);
-    DenoisedPicture picture = denoise(film.replicas(), *denoiser, onProgress);
+    DenoisedPicture picture = denoise(film.replicas(), *denoiser, threads, onProgress);
     std::string whyUnstated = whyUnstatedFor(film, picture.error);
     const bool isStated = whyUnstated.empty();
     return {std::move(picture.color), denoiser->name(), isStated ? picture.error : std::nullopt,

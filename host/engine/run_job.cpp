@@ -66,14 +66,14 @@ public:
         requireConsistent(job_);
         result_.warnings = scene_.warnings;
         const std::vector<std::filesystem::path> folders = outputFolders();
-        requireDenoisingMemory(settings_, job_.limitsSamples ? settings_.samplesPerPixel
-                                                             : kMostSamplesPerPixel);
         std::optional<PictureDenoiser> denoiser;
         if (settings_.denoiser != DenoiserKind::Off)
             denoiser.emplace(settings_.denoiser, device_.options().denoiserLibrary, &device_);
         FilmKeeper keeper(job_.film, labelOf(scene_, settings_), settings_.crop,
                           detailFor(settings_.denoiser), folders,
                           [&](const std::string& warning) { warn(warning); });
+        if (needsCleanPicture())
+            requireDenoisingMemory(settings_, keeper.blocksToContinue() + blocksToRender());
         const LayerList& layers = job_.output.layers;
         const bool wantsHits = hasSource(layers, LayerSource::FirstHit);
         const bool wantsFeatures = (denoiser && !keeper.features()) ||
@@ -120,7 +120,7 @@ public:
         if (keeper.isWanted()) // before anything that takes long, or may fail
             failures.attempt([&] { keeper.save(*film_); });
         std::exception_ptr denoiserFailure;
-        if (denoiser && session->totals().samplesPerPixel > 0)
+        if (denoiser && needsCleanPicture() && session->totals().samplesPerPixel > 0)
             denoiserFailure = denoisePicture(*denoiser, denoisedGoal, *session, keeper.features());
         const DisplayTransform display = takePixels(*session);
         writeAll(*session, *engine, writer, display, failures);
@@ -134,6 +134,20 @@ public:
     }
 
 private:
+    /// Whether anything shows the picture or its error. A film alone is denoised later, where it is
+    /// whole.
+    bool needsCleanPicture() const {
+        return !job_.output.pictures.empty() || !job_.output.statsFile.empty() ||
+               job_.returnsPixels || settings_.targetError;
+    }
+
+    /// At most.
+    uint64_t blocksToRender() const {
+        const uint64_t samples =
+            job_.limitsSamples ? settings_.samplesPerPixel : kMostSamplesPerPixel;
+        return (samples + shared::kSamplesPerBlock - 1) / shared::kSamplesPerBlock;
+    }
+
     bool isStopped() const { return callbacks_.shouldStop && callbacks_.shouldStop(); }
 
     void throwIfStopped() const {

@@ -70,14 +70,10 @@ std::string toJson(const RenderStatistics& statistics) {
         if ((setting.commands & kRenderCommand) && !json.contains(setting.name))
             json[setting.name] = setting.value(settings);
     json["bvh"] = tree;
-    json["seconds"] = {{"load", seconds.load},
-                       {"build", seconds.build},
-                       {"upload", seconds.upload},
-                       {"compile", seconds.compile},
-                       {"features", seconds.features},
-                       {"first_sample", seconds.firstSample},
-                       {"render", seconds.render},
-                       {"denoise", seconds.denoise},
+    json["seconds"] = {{"load", seconds.load},         {"build", seconds.build},
+                       {"upload", seconds.upload},     {"compile", seconds.compile},
+                       {"features", seconds.features}, {"first_sample", seconds.firstSample},
+                       {"render", seconds.render},     {"denoise", seconds.denoise},
                        {"write", seconds.write}};
     json["rays"] = totals.rays;
     json["paths"] = totals.paths;

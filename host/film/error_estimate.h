@@ -34,7 +34,7 @@ struct ErrorEstimate {
     /// The factor by which `relative` grows when each replica's deviation is divided by the mean
     /// luminance of the other replicas instead of L: near 1 where the replicas agree, large where
     /// most of a pixel's light comes from rare samples. Present only if all replicas have samples.
-    std::optional<double> doubt;
+    std::optional<double> doubt = {};
     uint32_t replicas = 0; ///< that hold samples
 
     Trust trust() const;

@@ -1,8 +1,7 @@
 #version 460
 // Adds samples to the block in the storage image: rgb is the sum of a pixel's radiance, a the
-// number of its samples (kHiddenSample). The lane that owns the pixel adds them in order. So a
-// dispatch continues where the last one stopped, and the division of the work does not change the
-// picture.
+// number of its samples (kHiddenSample). The lane that owns the pixel adds them in order. So the
+// division of the work, into dispatches too, does not change the picture.
 //
 // A workgroup is one subgroup. Each lane works on two pixels, and takes the tile's next pixel when
 // one is finished. While the ray of the current pixel's path is traced, the other pixel's path

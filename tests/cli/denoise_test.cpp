@@ -124,6 +124,18 @@ TEST_F(DenoiseTest, AFailingDenoiserLosesNothing) {
         0);
 }
 
+// A film of one part of the samples need not be denoised; the joined film is, where there is room.
+TEST_F(DenoiseTest, AFilmAloneIsDenoisedLater) {
+    const std::string film = folder_ / "a.film";
+    const std::vector<std::string> arguments = {"--film", film, "--spp", "64", "--size", "32x32"};
+    const ProgramResult alone = render(arguments, withFakeDenoiser("fails"));
+    EXPECT_EQ(alone.exitCode, 0) << alone.errors;
+    const ProgramResult later =
+        runProgram({"denoise", film, "-o", picture_}, withFakeDenoiser("fails"));
+    EXPECT_EQ(later.exitCode, 1) << "the fake denoiser fails where it runs";
+    EXPECT_EQ(runProgram({"denoise", film, "-o", picture_}, withFakeDenoiser()).exitCode, 0);
+}
+
 // Without its denoiser the render would not know when to end.
 TEST_F(DenoiseTest, AFailingDenoiserEndsARenderToATarget) {
     const ProgramResult result = render({"-q", "-o", picture_, "--film", folder_ / "a.film",

@@ -1,14 +1,15 @@
 // calotype render --transparent: files, films and what does not go together.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
-#include <stb/stb_image.h>
 
 #include "cli/film_cli_test.h"
 #include "image/exr.h"
+#include "image/read_texel_image.h"
 
 namespace calotype::test {
 namespace {
@@ -65,13 +66,8 @@ TEST_F(TransparentTest, ExrFilesHaveAnAlphaChannel) {
 TEST_F(TransparentTest, PngFilesHaveColorsThatAreNotMultiplied) {
     const std::string png = folder_ / "a.png";
     const Picture exr = picture("a.exr", {"--transparent", "-o", png});
-    const std::string file = readText(png);
-    int width = 0, height = 0, channels = 0;
-    stbi_uc* pixels = stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(file.data()),
-                                            static_cast<int>(file.size()), &width, &height,
-                                            &channels, 0);
-    ASSERT_NE(pixels, nullptr);
-    ASSERT_EQ(channels, 4);
+    const std::vector<uint8_t> pixels = readTexelImage(readText(png), 64, png).bytes;
+    ASSERT_EQ(pixels.size(), 4u * 32u * 24u);
     const std::vector<float> alpha = alphaOf(exr);
     size_t edges = 0;
     for (size_t i = 0; i < alpha.size(); ++i) {
@@ -84,7 +80,6 @@ TEST_F(TransparentTest, PngFilesHaveColorsThatAreNotMultiplied) {
         EXPECT_NEAR(pixels[4 * i + 2], 255.0f * std::clamp(encoded, 0.0f, 1.0f), 0.6f);
     }
     EXPECT_GT(edges, 4u);
-    stbi_image_free(pixels);
 }
 
 TEST_F(TransparentTest, FilmsKeepAlpha) {

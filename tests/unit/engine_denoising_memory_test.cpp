@@ -27,18 +27,18 @@ TEST(DenoisingMemoryTest, SaysWhatIsMissing) {
 TEST(DenoisingMemoryTest, RefusesAPictureThatIsTooLarge) {
     RenderSettings settings;
     settings.crop = {0, 0, 65535, 65535}; // 5 TB
-    EXPECT_NO_THROW(requireDenoisingMemory(settings, 128));
+    EXPECT_NO_THROW(requireDenoisingMemory(settings, 8));
     settings.denoiser = DenoiserKind::Statistical;
     std::string problem;
     try {
-        requireDenoisingMemory(settings, 128);
+        requireDenoisingMemory(settings, 8);
     } catch (const SettingError& error) {
         problem = error.problem();
     }
     EXPECT_NE(problem.find("of memory"), std::string::npos) << problem;
     EXPECT_NE(problem.find("65535 x 65535 pixels"), std::string::npos) << problem;
     settings.crop = {0, 0, 64, 64};
-    EXPECT_NO_THROW(requireDenoisingMemory(settings, 128));
+    EXPECT_NO_THROW(requireDenoisingMemory(settings, 8));
 }
 
 } // namespace
