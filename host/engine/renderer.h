@@ -88,9 +88,9 @@ public:
 
     const Scene& scene() const;
 
-    /// The whole picture, with the scene's own size, samples, bounces, seed and denoiser, and the
-    /// choice of lights that fits their number. The crop is empty, so that the picture is whole
-    /// also if its size is changed.
+    /// The whole picture, with the scene's own size, samples, bounces, seed, denoiser and hidden
+    /// background, and the choice of lights that fits their number. The crop is empty, so that the
+    /// picture is whole also if its size is changed.
     RenderSettings defaultSettings() const;
 
     /// Renders the picture. The same settings give the same pixels, bit for bit on one device,

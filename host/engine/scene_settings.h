@@ -7,8 +7,8 @@
 
 namespace calotype {
 
-/// The whole picture, with the scene's own size, samples, bounces, seed and denoiser, the
-/// defaultLightChoice, and defaults for the rest.
+/// The whole picture, with the scene's own size, samples, bounces, seed, denoiser and hidden
+/// background, the defaultLightChoice, and defaults for the rest.
 RenderSettings defaultSettings(const Scene& scene);
 
 /// By power, or by a tree if many primitives emit (docs/accuracy.md, "Light choice").
