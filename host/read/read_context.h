@@ -41,7 +41,7 @@ struct ReadContext {
     /// that cannot be read. Each is read once for all textures.
     std::map<std::string, std::shared_ptr<const TexelImage>> images = {};
 
-    FilesAhead<TexelImage> imagesAhead = {};
+    FilesAhead<TexelImage> imagesAhead;
     TaskPool tasks{allCores()}; ///< they use nothing of the context
 
     /// The scene with its hash, and the warnings.

@@ -12,6 +12,7 @@ namespace {
 
 /// More than any size that readTexelImage accepts.
 constexpr uintmax_t kLargestFile = uintmax_t{1} << 31;
+static_assert(kMostBytesAhead <= kLargestFile, "larger files are refused before they are read");
 
 constexpr const char* kHint = " (--missing-textures warn goes on without it)";
 
