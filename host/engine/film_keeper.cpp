@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/stopwatch.h"
 #include "engine/film_label.h"
+#include "film/same_origin.h"
 
 namespace calotype {
 namespace {
@@ -47,14 +48,14 @@ KeptFilm FilmKeeper::readOurs(const std::string& path, const char* advice) const
     try {
         KeptFilm kept = readLabelledFilm(path);
         requireSameOrigin(path, kept, label_, crop_.width, crop_.height, kept.film.unit(),
-                          detailFor(kept.film));
+                          detailOfContinued(kept.film));
         return kept;
     } catch (const SceneError& error) {
         failWith(error, advice);
     }
 }
 
-ReplicaDetail FilmKeeper::detailFor(const Film& continued) const {
+ReplicaDetail FilmKeeper::detailOfContinued(const Film& continued) const {
     return detail_ == ReplicaDetail::Color ? detail_ : continued.detail();
 }
 
@@ -78,7 +79,7 @@ Film FilmKeeper::begin(const RenderSettings& settings, double maxRadiance,
     const double unit = filmUnit(maxRadiance);
     if (continued_)
         requireSameOrigin(continuedPath_, *continued_, label_, settings.crop.width,
-                          settings.crop.height, unit, detailFor(continued_->film));
+                          settings.crop.height, unit, detailOfContinued(continued_->film));
     Film film = continued_ ? std::move(continued_->film)
                            : Film(settings.crop.width, settings.crop.height, unit, detail_,
                                   settings.transport.hidesBackground);

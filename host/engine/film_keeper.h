@@ -64,7 +64,7 @@ private:
     KeptFilm readOurs(const std::string& path, const char* advice) const;
     void readContinued();
     /// That of the film to continue, if it has more than is needed.
-    ReplicaDetail detailFor(const Film& continued) const;
+    ReplicaDetail detailOfContinued(const Film& continued) const;
 
     FilmOptions options_;
     FilmLabel label_;

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "engine/film_label.h"
+#include "film/same_origin.h"
 
 namespace calotype {
 namespace {

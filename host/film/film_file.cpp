@@ -52,7 +52,6 @@ constexpr std::string_view kMagic = "CALOFILM";
 constexpr uint32_t kVersion = 1;
 constexpr uint32_t kVersionWithColors = 2; ///< of replicas
 constexpr uint32_t kVersionWithAlpha = 3;
-constexpr const char* kAlphaSetting = "transparent"; ///< in labels
 constexpr size_t kDescriptionAt = 24;
 constexpr size_t kChunkNumbers = 65536;
 constexpr size_t kNumberBytes = sizeof(FixedPoint);
@@ -224,6 +223,8 @@ bool areCounts(const FixedPointArray& numbers, const BlockRanges& blocks) {
     return true;
 }
 
+bool isOfAlpha(const FilmLabel& label) { return label.setting(kAlphaSetting) == "on"; }
+
 /// Throws if the description and the chunks do not fit each other.
 KeptFilm readParts(const Json& description, std::string_view compressed, uint32_t version) {
     const auto width = numberIn<uint32_t>(description.at("width"), 1, kLargestPictureSide);
@@ -277,7 +278,7 @@ KeptFilm readParts(const Json& description, std::string_view compressed, uint32_
     label.devices = description.at("devices");
     if (description.contains("camera")) // films of earlier programs lack it
         label.camera = description.at("camera");
-    if (hasAlpha != (label.setting(kAlphaSetting) == "on"))
+    if (hasAlpha != isOfAlpha(label))
         throw std::out_of_range(kAlphaSetting);
     KeptFilm kept{label, Film(width, height, std::ldexp(1.0, exponent), std::move(sums))};
     if (!featureChunks.empty() && hasReplicaColors)
@@ -295,6 +296,7 @@ std::string FilmLabel::setting(const std::string& name) const {
 void writeFilm(const std::filesystem::path& path, const FilmLabel& label, const Film& film,
                const std::optional<DenoiserFeatures>& features) {
     CALOTYPE_CHECK_EQ(!features || film.detail() == ReplicaDetail::Color, true);
+    CALOTYPE_CHECK_EQ(film.hasAlpha(), isOfAlpha(label));
     const Film::Sums& sums = film.sums();
     const auto chunks = chunksOf<const FixedPointArray>(sums);
     std::vector<std::string> compressed(chunks.size());
@@ -353,31 +355,6 @@ bool isFilm(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
     std::string start(kMagic.size(), '\0');
     return file.read(start.data(), static_cast<std::streamsize>(start.size())) && start == kMagic;
-}
-
-void requireSameOrigin(const std::filesystem::path& path, const KeptFilm& film,
-                       const FilmLabel& label, uint32_t width, uint32_t height, double unit,
-                       ReplicaDetail detail) {
-    const auto fail = [&](const std::string& difference) {
-        throw SceneError(path.string(), "the film cannot be joined: it is of " + difference);
-    };
-    if (film.label.sceneHash != label.sceneHash)
-        fail("another scene, or the scene's files have changed since");
-    for (const FilmLabel* owner : {&label, &film.label})
-        for (const auto& [name, value] : owner->settings)
-            if (film.label.setting(name) != label.setting(name))
-                fail("another " + name + ": " + film.label.setting(name) + ", not " +
-                     label.setting(name) +
-                     (name == "light_choice" ? "; give --light-choice to go on with it" : ""));
-    if (film.film.unit() != unit)
-        fail("lights of another strength");
-    if (film.film.width() != width || film.film.height() != height)
-        fail("another size");
-    if (film.film.detail() != detail)
-        fail(detail == ReplicaDetail::Color
-                 ? "a render without --denoise, and lacks the colours of replicas that denoising "
-                   "needs; render it with --denoise from the start, or go on without"
-                 : "a render for denoising, and not one without --denoise");
 }
 
 } // namespace calotype

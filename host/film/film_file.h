@@ -13,6 +13,9 @@
 
 namespace calotype {
 
+/// The setting of labels that is "on" for films with alpha, and no other.
+inline constexpr const char* kAlphaSetting = "transparent";
+
 /// The origin of a film: its scene and how it was rendered.
 struct FilmLabel {
     uint64_t sceneHash = 0;
@@ -35,8 +38,8 @@ struct KeptFilm {
 
 /// Writes a film to a file, atomically. The same samples by the same devices give the same bytes,
 /// in whatever order they were added. A film with alpha has version 3 of the format, else one with
-/// the colours of replicas version 2, any other version 1. The label of a film with alpha must have
-/// the setting "transparent" on, and no other. Throws OutputError.
+/// the colours of replicas version 2, any other version 1. The label's kAlphaSetting must fit the
+/// film. Throws OutputError.
 void writeFilm(const std::filesystem::path& path, const FilmLabel& label, const Film& film,
                const std::optional<DenoiserFeatures>& features = {});
 
@@ -46,11 +49,5 @@ KeptFilm readFilm(const std::filesystem::path& path);
 
 /// Whether the file begins with the signature of films.
 bool isFilm(const std::filesystem::path& path);
-
-/// Throws SceneError with the path of `film` if the two films differ in scene, settings, size in
-/// pixels, unit or detail, so that they cannot be joined; the message names the difference.
-void requireSameOrigin(const std::filesystem::path& path, const KeptFilm& film,
-                       const FilmLabel& label, uint32_t width, uint32_t height, double unit,
-                       ReplicaDetail detail = ReplicaDetail::Luminance);
 
 } // namespace calotype

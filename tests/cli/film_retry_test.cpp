@@ -69,8 +69,8 @@ TEST_F(FilmRetryTest, FilmsOfOtherScenesAndSettingsAreRefused) {
     const std::string before = readText(path);
     const std::string advice = "begin anew with --overwrite";
     for (const auto& [option, value, difference] :
-         {std::array{"--seed", "1", "another seed"},
-          {"--size", "16x16", "another crop"},
+         {std::array{"--seed", "1", "its setting seed"},
+          {"--size", "16x16", "its setting crop"},
           {"--set", "/materials/grey/color=0.7", "another scene"},
           {"--set", "/lights/0/radiance=21", "another scene"}}) {
         const ProgramResult result = runProgram(render({"--film", path, option, value}));

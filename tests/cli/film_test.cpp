@@ -129,10 +129,10 @@ TEST_F(FilmTest, RefusesWhatDoesNotGoTogether) {
     };
     expectFailure(merge(overlapping), 3, "samples 16:32 are in a film before it too");
     expectFailure(merge(a), 3, "samples 0:32");
-    expectFailure(merge(seed), 3, "another seed: 1, not 0");
-    expectFailure(merge(sampler), 3, "another sampler: independent, not sobol");
+    expectFailure(merge(seed), 3, "its setting seed is 1, not 0");
+    expectFailure(merge(sampler), 3, "its setting sampler is independent, not sobol");
     expectFailure(merge(other), 3, "another scene");
-    expectFailure(merge(size), 3, "another crop");
+    expectFailure(merge(size), 3, "its setting crop");
     expectFailure(merge(scene_), 3, "no film");
     expectFailure(merge(folder_ / "none"), 3, "No such file");
     const std::string cutOff = folder_.write("cut", before.substr(0, before.size() - 9));
@@ -143,8 +143,8 @@ TEST_F(FilmTest, RefusesWhatDoesNotGoTogether) {
         arguments.insert(arguments.end(), {"--resume", film});
         return runProgram(arguments);
     };
-    expectFailure(resume(a, {"--seed", "1"}), 3, "another seed");
-    expectFailure(resume(a, {"--max-bounces", "3"}), 3, "another max_bounces: 2, not 3");
+    expectFailure(resume(a, {"--seed", "1"}), 3, "its setting seed");
+    expectFailure(resume(a, {"--max-bounces", "3"}), 3, "its setting max_bounces is 2, not 3");
     expectFailure(resume(a, {"--set", "/materials/grey/color=0.7"}), 3, "another scene");
     expectFailure(resume(cutOff, {}), 3, "damaged");
     expectFailure(resume(folder_ / "none", {}), 3, "No such file");
@@ -237,7 +237,7 @@ TEST_F(FilmTest, KeepsCropsAndTheReference) {
         EXPECT_TRUE(readText(folder_ / "m.exr") == readText(exr));
     }
     expectFailure(runProgram(render({"--resume", folder_ / "5,3,16,9w", "--spp", "64"})), 3,
-                  "another crop");
+                  "its setting crop");
 }
 
 // Films of programs that lacked some settings: their pictures have no place in a larger one.

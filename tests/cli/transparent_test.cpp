@@ -99,9 +99,9 @@ TEST_F(TransparentTest, FilmsKeepAlpha) {
     EXPECT_EQ(resumed.color.pixels, rendered.color.pixels);
     const std::string opaque = film("opaque.film", {"--samples", "32:64"});
     expectFailure(runProgram({"merge", first, opaque, "-o", merged}), 3,
-                  "of another transparent: off, not on");
+                  "its setting transparent is off, not on; leave out --transparent");
     expectFailure(runProgram(render({"--resume", opaque, "-o", merged, "--transparent"})), 3,
-                  "of another transparent: off, not on");
+                  "its setting transparent is off, not on; leave out --transparent");
 }
 
 TEST_F(TransparentTest, GoesWithDenoisersPreviewsAdaptiveSamplesAndTheReference) {

@@ -12,6 +12,7 @@
 #include "base/content_hash.h"
 #include "base/error.h"
 #include "film/block_count.h"
+#include "film/same_origin.h"
 #include "support/program.h"
 
 namespace calotype::test {
@@ -290,6 +291,53 @@ TEST_F(FilmFileTest, RefusesFeaturesOfAnotherSize) {
     }
 }
 
+/// Of one pixel and one block, with a number of hidden samples.
+Film filmOfHidden(FixedPoint hidden) {
+    Film film(1, 1, 0.25, ReplicaDetail::Luminance, true);
+    film.addBlock(0, randomBlock(0, 1));
+    Film::Sums sums = film.sums();
+    sums.hiddenSamples.write(0, std::vector{hidden});
+    return {1, 1, 0.25, std::move(sums)};
+}
+
+// The share of a pixel that shows a surface is made from it, in unsigned numbers.
+TEST_F(FilmFileTest, RefusesNumbersOfHiddenSamplesThatNoFilmHas) {
+    for (const FixedPoint hidden : {0, 16}) {
+        writeFilm(path_, transparentLabel(), filmOfHidden(hidden));
+        EXPECT_EQ(readFilm(path_).film.alpha(), std::vector{hidden == 0 ? 1.0f : 0.0f});
+    }
+    for (const FixedPoint hidden : {FixedPoint{-1}, FixedPoint{17}, FixedPoint{1} << 64}) {
+        writeFilm(path_, transparentLabel(), filmOfHidden(hidden));
+        EXPECT_NE(errorOf([&] { readFilm(path_); }).find("makes no sense"), std::string::npos);
+    }
+}
+
+// A film of fewer blocks, so that the numbers are too large for it.
+TEST_F(FilmFileTest, RefusesMoreHiddenSamplesThanItsBlocksHave) {
+    writeFilm(path_, transparentLabel(), transparentFilm(20, 10, ReplicaDetail::Luminance));
+    const std::string path =
+        folder_.write("odd.film", withDescription(readText(path_), "[[2,3],[7,8]]", "[[2,3]]"));
+    EXPECT_NE(errorOf([&] { readFilm(path); }).find("makes no sense: sums"), std::string::npos);
+}
+
+// Else films with and without alpha would be joined.
+TEST_F(FilmFileTest, RefusesALabelThatContradictsTheVersion) {
+    const Film transparent = transparentFilm(3, 2, ReplicaDetail::Luminance);
+    writeFilm(path_, transparentLabel(), transparent);
+    const std::string on = "\"transparent\":\"on\"";
+    const std::string off = "\"transparent\":\"off\"";
+    const std::string opaque = folder_.write("a.film", withDescription(readText(path_), on, off));
+    FilmLabel label = someLabel();
+    label.settings["transparent"] = "off";
+    writeFilm(path_, label, filmOf(3, 2, {0}));
+    const std::string hidden = folder_.write("b.film", withDescription(readText(path_), off, on));
+    for (const std::string& path : {opaque, hidden})
+        EXPECT_NE(errorOf([&] { readFilm(path); }).find("makes no sense: transparent"),
+                  std::string::npos);
+    EXPECT_DEATH(writeFilm(path_, someLabel(), transparent), "check failed");
+    EXPECT_DEATH(writeFilm(path_, transparentLabel(), filmOf(3, 2, {0})), "check failed");
+}
+
 // The version says which sums there are.
 TEST_F(FilmFileTest, RefusesTheSumsOfAnotherVersion) {
     for (const auto detail : {ReplicaDetail::Luminance, ReplicaDetail::Color}) {
@@ -311,12 +359,17 @@ TEST_F(FilmFileTest, RefusesFilmsOfOtherOrigin) {
     other.devices = {"three"};
     EXPECT_EQ(difference(other), "") << "films of several devices go together";
     other.settings["seed"] = "8";
-    EXPECT_NE(difference(other).find("another seed: 7, not 8"), std::string::npos);
+    EXPECT_NE(difference(other).find("its setting seed is 7, not 8"), std::string::npos);
     other.settings.erase("seed");
-    EXPECT_NE(difference(other).find("another seed: 7, not none"), std::string::npos);
+    EXPECT_NE(difference(other).find("its setting seed is 7, not none"), std::string::npos);
+    other = someLabel();
+    other.settings["transparent"] = "on";
+    EXPECT_NE(difference(other).find("its setting transparent is none, not on; leave out "
+                                     "--transparent to go on with it"),
+              std::string::npos);
     other = someLabel();
     other.settings["lens"] = "wide";
-    EXPECT_NE(difference(other).find("another lens: none, not wide"), std::string::npos);
+    EXPECT_NE(difference(other).find("its setting lens is none, not wide"), std::string::npos);
     other = someLabel();
     other.sceneHash++;
     EXPECT_NE(difference(other).find("another scene"), std::string::npos);
