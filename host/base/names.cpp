@@ -58,6 +58,12 @@ std::string printable(std::string_view text) {
     return quoted.substr(1, quoted.size() - 2) + (isLong ? "..." : "");
 }
 
+std::string asUtf8(const std::string& text) {
+    using nlohmann::json;
+    return json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace))
+        .get<std::string>();
+}
+
 std::string inQuotes(std::string_view text) { return '"' + printable(text) + '"'; }
 
 std::string twoDigits(double number) {

@@ -15,6 +15,9 @@ std::string inQuotes(std::string_view text);
 /// A number for a message, with two digits.
 std::string twoDigits(double number);
 
+/// The text with U+FFFD in place of bytes that are no UTF-8.
+std::string asUtf8(const std::string& text);
+
 /// Names in quotes, separated by commas; the first twenty if there are many.
 std::string listInQuotes(std::span<const std::string> names);
 

@@ -66,12 +66,10 @@ std::vector<Attribute> cryptomatteAttributes(const std::string& typeName,
         manifest[name] = hexadecimalOf(cryptomatteId(name));
     const std::string prefix =
         std::string(kCryptomattePrefix) + hexadecimalOf(cryptomatteId(typeName)).substr(0, 7) + "/";
-    // Names in files of materials may hold bytes that are not UTF-8.
-    using Handler = nlohmann::ordered_json::error_handler_t;
     return {{prefix + "name", typeName},
             {prefix + "hash", "MurmurHash3_32"},
             {prefix + "conversion", "uint32_to_float32"},
-            {prefix + "manifest", manifest.dump(-1, ' ', false, Handler::replace)}};
+            {prefix + "manifest", manifest.dump()}};
 }
 
 } // namespace calotype

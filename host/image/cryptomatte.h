@@ -27,8 +27,8 @@ float cryptomatteId(std::string_view name);
 /// are ids, G and A the shares of the same ranks.
 std::vector<std::string> cryptomatteChannels(const std::string& typeName);
 
-/// The attributes of a layer, with the ids of all names (the manifest). Their names begin with
-/// kCryptomattePrefix.
+/// The attributes of a layer, with the ids of all names (the manifest), which are in UTF-8. The
+/// names of the attributes begin with kCryptomattePrefix.
 std::vector<Attribute> cryptomatteAttributes(const std::string& typeName,
                                              std::span<const std::string> names);
 

@@ -3,13 +3,17 @@
 #include <unordered_map>
 #include <variant>
 
+#include "base/names.h"
+
 namespace calotype {
 namespace {
 
-/// Numbers different names in the order in which they come.
+/// Numbers different names in the order in which they come. Names in files of materials may hold
+/// bytes that are no UTF-8, which the manifest of a Cryptomatte must be.
 class NameList {
 public:
-    uint32_t indexOf(const std::string& name) {
+    uint32_t indexOf(const std::string& bytes) {
+        const std::string name = asUtf8(bytes);
         const auto [found, isNew] =
             indices_.try_emplace(name, static_cast<uint32_t>(names_.size()));
         if (isNew)

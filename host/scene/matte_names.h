@@ -10,7 +10,7 @@ namespace calotype {
 
 /// Names of what mattes tell apart, and which of them each primitive belongs to.
 struct MatteNames {
-    std::vector<std::string> names;     ///< all different
+    std::vector<std::string> names;     ///< all different, in UTF-8
     std::vector<uint32_t> ofPrimitives; ///< index into `names`, in the order of the scene
 };
 

@@ -1,9 +1,13 @@
 // The names of objects and materials in mattes.
 #include "scene/matte_names.h"
 
+#include <bit>
+#include <cstdio>
+
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "image/cryptomatte.h"
 #include "scene_files.h"
 
 namespace calotype::test {
@@ -52,6 +56,30 @@ TEST(MatteNamesTest, ScenesWithoutNamesHaveDefaults) {
     EXPECT_EQ(objectNames(scene).names, (Names{"shape 0", "shape 1"}));
     EXPECT_EQ(materialNames(scene).names, (Names{"m", "material 1"}));
     EXPECT_EQ(materialNames(scene).ofPrimitives, (std::vector<uint32_t>{1, 0}));
+}
+
+// Ids are the hashes of names in the manifest, which is UTF-8.
+TEST(MatteNamesTest, AreInUtf8) {
+    Scene scene;
+    scene.materials.resize(3);
+    scene.materials[0].name = "caf\xe9";
+    scene.materials[1].name = "caf\xe8";
+    scene.materials[2].name = "caf\xc3\xa9";
+    for (const uint32_t material : {0u, 1u, 2u})
+        scene.shapes.push_back({Sphere{}, material, "", "", scene.materials[material].name});
+    for (const MatteNames& names : {objectNames(scene), materialNames(scene)}) {
+        EXPECT_EQ(names.names, (Names{"caf\xef\xbf\xbd", "caf\xc3\xa9"}));
+        EXPECT_EQ(names.ofPrimitives, (std::vector<uint32_t>{0, 0, 1}));
+        const auto attributes = cryptomatteAttributes("CryptoMaterial", names.names);
+        const auto manifest = nlohmann::json::parse(std::get<std::string>(attributes.back().value));
+        for (const auto& [name, id] : manifest.items()) {
+            char expected[9];
+            std::snprintf(expected, sizeof expected, "%08x",
+                          std::bit_cast<uint32_t>(cryptomatteId(name)));
+            EXPECT_EQ(id, expected) << name;
+        }
+        EXPECT_EQ(manifest.size(), names.names.size());
+    }
 }
 
 TEST(MatteNamesTest, AnEmptyNameIsRefused) {
