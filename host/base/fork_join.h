@@ -2,8 +2,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <thread>
-#include <utility>
+#include <vector>
+
+#include "base/add_thread.h"
 
 namespace calotype {
 
@@ -16,17 +19,26 @@ inline bool isWorthForking(size_t count, uint32_t depth, uint32_t threads) {
            (uint64_t{1} << depth) < kForksPerThread * threads;
 }
 
-/// Runs two independent functions and waits for both: on two threads if `parallel`; then
-/// `onAnother` must not throw.
+/// Runs two independent functions and waits for both: on two threads if `parallel`, and if the
+/// system gives another. Throws what they throw.
 template <typename OnAnother, typename OnThis>
 void forkJoin(bool parallel, OnAnother&& onAnother, OnThis&& onThis) {
-    if (!parallel) {
-        onAnother();
+    std::exception_ptr failure;
+    {
+        std::vector<std::jthread> other; // joined at the end of the block
+        const auto work = [&] {
+            try {
+                onAnother();
+            } catch (...) {
+                failure = std::current_exception();
+            }
+        };
+        if (!parallel || !addThread(other, work))
+            work();
         onThis();
-        return;
     }
-    const std::jthread other(std::forward<OnAnother>(onAnother)); // joined at the end
-    onThis();
+    if (failure)
+        std::rethrow_exception(failure);
 }
 
 } // namespace calotype

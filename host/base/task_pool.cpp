@@ -2,6 +2,8 @@
 
 #include <chrono>
 
+#include "base/add_thread.h"
+
 namespace calotype {
 namespace {
 
@@ -26,8 +28,8 @@ void TaskPool::enqueue(std::shared_ptr<Task> task) {
         const std::lock_guard lock(mutex_);
         tasks_.push(std::move(task));
     }
-    if (others_.size() + 1 < threads_)
-        others_.emplace_back([this] { work(); });
+    if (others_.size() + 1 < threads_ && !addThread(others_, [this] { work(); }))
+        threads_ = static_cast<uint32_t>(others_.size()) + 1;
     isAdded_.notify_one();
 }
 

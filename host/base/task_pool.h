@@ -72,7 +72,7 @@ private:
 /// uses a pool.
 class TaskPool {
 public:
-    /// `threads` >= 1 are used, including that of the caller.
+    /// `threads` >= 1 are used, including that of the caller; fewer if the system gives fewer.
     explicit TaskPool(uint32_t threads) : threads_(threads) {}
     ~TaskPool();
     TaskPool(const TaskPool&) = delete;

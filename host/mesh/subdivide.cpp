@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <future>
 #include <limits>
 #include <vector>
 
 #include <glm/geometric.hpp>
 
+#include "base/fork_join.h"
 #include "base/parallel_for.h"
 #include "mesh/area_normals.h"
 #include "mesh/distinct_values.h"
@@ -57,12 +57,19 @@ public:
         // Nearly all of the time is taken by numbering the middles: the positions' on a thread of
         // their own.
         const bool forks = triangles_.size() >= kWorthAThread && allCores() > 1;
-        auto positions = std::async(forks ? std::launch::async : std::launch::deferred, [&] {
-            return middlesOf(positions_, &Mesh::Triangle::position, middlePoint<glm::dvec3>);
-        });
-        const auto normal = middlesOf(normals_, &Mesh::Triangle::normal, middleNormal);
-        const auto uv = middlesOf(uvs_, &Mesh::Triangle::uv, middlePoint<glm::dvec2>);
-        const auto position = positions.get();
+        std::vector<Middles> position;
+        std::vector<Middles> normal;
+        std::vector<Middles> uv;
+        forkJoin(
+            forks,
+            [&] {
+                position =
+                    middlesOf(positions_, &Mesh::Triangle::position, middlePoint<glm::dvec3>);
+            },
+            [&] {
+                normal = middlesOf(normals_, &Mesh::Triangle::normal, middleNormal);
+                uv = middlesOf(uvs_, &Mesh::Triangle::uv, middlePoint<glm::dvec2>);
+            });
         std::vector<Mesh::Triangle> finer;
         finer.reserve(4 * triangles_.size());
         for (size_t i = 0; i < triangles_.size(); ++i)
