@@ -121,7 +121,7 @@ void printChoices(const std::vector<Choice>& choices, const std::string& which, 
                 text += " (default settings: " + durationText(*choice.usual) + ")";
             text += "\n  " + commandOf(choice, command);
         } else {
-            text += "unknown: the time budget was too short";
+            text += whyNone(choice);
         }
         std::printf("%s\n", text.c_str());
     }

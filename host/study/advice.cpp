@@ -124,6 +124,12 @@ std::string commandOf(const Choice& choice, const std::string& command) {
            shortNumber(choice.target);
 }
 
+std::string whyNone(const Choice& choice) {
+    // A denoiser may never reach it: its pictures are not extrapolated.
+    return choice.isDenoised ? "not reached in this time"
+                             : "unknown: the time budget was too short";
+}
+
 std::vector<Choice> choicesOf(const Study& study) {
     std::vector<Choice> choices;
     for (const double target : kTargets) {
@@ -159,6 +165,7 @@ std::vector<Choice> denoisedChoicesOf(const Study& study) {
     for (const double target : kTargets) {
         Choice choice;
         choice.target = target;
+        choice.isDenoised = true;
         choice.usual = study.measurements.front().secondsTo(target);
         for (const Measurement& measurement : study.measurements) {
             if (!measurement.variant.isDenoised)

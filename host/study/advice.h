@@ -25,6 +25,7 @@ std::string sentenceOf(const Measurement& variant, const Measurement& usual, dou
 /// The recommended settings for an error.
 struct Choice {
     double target = 0.0;
+    bool isDenoised = false;                  ///< the error is that after denoising
     const Measurement* measurement = nullptr; ///< null: no variant reaches the error
     double seconds = 0.0;                     ///< of sampling, in the study's size
     bool isExtrapolated = false;              ///< the seconds: no render was so long
@@ -33,6 +34,9 @@ struct Choice {
 };
 
 inline constexpr std::array kTargets = {0.05, 0.02, 0.01};
+
+/// What is said instead of the settings of a choice that has none.
+std::string whyNone(const Choice& choice);
 
 /// The command that renders to the error of the choice by its settings. `command` renders the scene
 /// with the usual ones.

@@ -198,8 +198,8 @@ private:
                 row += tag("td", durationText(choice.seconds * study_.scale));
             commands += tag("li", code(commandOf(choice, origin_.command)));
         } else {
-            row += std::string("<td colspan=\"") + (isSmaller() ? "4" : "3") +
-                   "\">unknown: the time budget was too short</td>";
+            row += std::string("<td colspan=\"") + (isSmaller() ? "4" : "3") + "\">" +
+                   whyNone(choice) + "</td>";
         }
         return tag("tr", row);
     }

@@ -215,6 +215,8 @@ TEST(StudyAdviceTest, RecommendsDenoisersApart) {
     EXPECT_NEAR(choices[0].usual.value(), 0.1 / (0.05 * 0.05), 1e-9);
     EXPECT_FALSE(choices[0].isExtrapolated);
     EXPECT_EQ(choices[2].measurement, nullptr) << "1 % is not reached";
+    EXPECT_EQ(whyNone(choices[2]), "not reached in this time");
+    EXPECT_EQ(whyNone(choicesOf(study)[2]), "unknown: the time budget was too short");
     EXPECT_EQ(commandOf(choices[0], "calotype render a.json"),
               "calotype render a.json --denoise oidn --target-error 0.05");
     study.needsDenoiseOff = true; // as the scene names a denoiser
