@@ -71,6 +71,7 @@ float rimMargin(Quadric quadric) {
 /// What `error`, a vector of bounds along the axes, may add to the distance from a face of radius
 /// `radius`, beyond the part along the normal. Moved across the normal by e, a point is farther by
 /// sqrt(radius^2 + e^2) - radius <= min(e, e^2 / (2 radius)) <= e^2 / (radius + e / 2).
+/// The 1e-30 metres keep 0 / 0 from being NaN; no rounding of a coordinate is so small.
 float errorAcrossNormal(vec3 error, float radius) {
     float square = dot(error, error);
     return square / max(radius + 0.5 * sqrt(square), 1e-30);
